@@ -65,7 +65,7 @@ struct rates_and_previous<Fields<Fs...>> {
 struct Midpoint {
   static constexpr char const* name = "Midpoint";
   /// The largest cfl. An elastic wave of frequency omega grows by $\sqrt{1 + (\omega dt)^4/4}$ per step, which
-  /// viscosity must outweigh. In a bed at rest with the default viscosity and filter
+  /// viscosity must offset. In a bed at rest with the default viscosity and filter
   /// (`tests/integrators/largest_cfl.cpp`), the speed of the fastest particle is 0.7 mm/s at cfl 0.2, 1.6 mm/s at 0.3,
   /// 26 mm/s at 0.4 and 0.14 m/s at 0.5; from cfl 0.7 on, the bed swells.
   static constexpr double largest_cfl = 0.3;

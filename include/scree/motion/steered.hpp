@@ -52,8 +52,8 @@ struct Steered {
     all.insert(all.end(), velocity_now.begin(), velocity_now.end());
     return all;
   }
-  /// Returns the motion with the given numbers(); further numbers at the end are ignored. Throws std::invalid_argument
-  /// if there are too few numbers, or if a parameter is out of range.
+  /// Returns the motion whose numbers() are the first of the given numbers; further numbers are ignored. Throws
+  /// std::invalid_argument if there are too few numbers, or if a parameter is out of range.
   static Steered from_numbers(std::span<double const> numbers) {
     check_setting(numbers.size() >= number_count, "numbers of Steered", double(numbers.size()),
                   detail::formatted("%zu or more", number_count).c_str());

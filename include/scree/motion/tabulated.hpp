@@ -18,14 +18,14 @@ namespace scree {
 ///   linear     straight lines: the velocity jumps at each point of the table, and the acceleration is zero
 enum class TableInterpolation { monotone, linear };
 
-/// A translation of all points by a displacement that is interpolated in a table. The displacement is the first one of
-/// the table before the first time, and the last one after the last time. Each coordinate stays between its values at
-/// the two adjacent points of the table, so a wall with equal displacements at both points is at rest between them. The
-/// interpolation is the monotone piecewise cubic of Fritsch & Carlson (1980, SIAM J. Numer. Anal. 17, 238-246) with the
-/// slopes of Fritsch & Butland (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). The velocity is continuous; the
-/// acceleration jumps at the points of the table. With `TableInterpolation::linear`, walls start, turn and stop
-/// abruptly, within one time step. The table is stored in the object itself, so it needs no device memory.
-/// read_tabulated() (`setup/read_tabulated.hpp`) reads a table from a file.
+/// A translation of all points by a displacement that is interpolated in a table. Before the first time in the table,
+/// the displacement is the first one in the table; after the last time, it is the last one. Each coordinate stays
+/// between its values at the two adjacent points of the table, so a wall with equal displacements at both points is at
+/// rest between them. The interpolation is the monotone piecewise cubic of Fritsch & Carlson (1980, SIAM J. Numer.
+/// Anal. 17, 238-246) with the slopes of Fritsch & Butland (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). The velocity
+/// is continuous; the acceleration jumps at the points of the table. With `TableInterpolation::linear`, walls start,
+/// turn and stop abruptly, within one time step. The table is stored in the object itself, so it needs no device
+/// memory. read_tabulated() (`setup/read_tabulated.hpp`) reads a table from a file.
 template <int Dim, int Capacity = 32>
 class Tabulated {
  public:

@@ -26,7 +26,7 @@ template <class Sys, class Pass>
 void run_pass(void const* pass, void* system) {
   static_cast<Pass const*>(pass)->run(*static_cast<Sys*>(system));
 }
-/// Returns a value that refers to a pass of a system. A pass without value() runs by its own run().
+/// Returns a value that refers to a pass of a system. For a pass without value(), the value calls run() of the pass.
 template <class Sys, class Pass>
 AnyPass any_pass(Pass const& pass) {
   if constexpr (GivesAnyPass<Pass, Sys>)

@@ -177,7 +177,7 @@ constexpr bool can_be_last(std::index_sequence<M...>) {
 /// The pass of a list with which the next pass can be fused without a change of the results, and the position in the
 /// list at which the fused pass runs.
 struct FusionPlace {
-  int number = -1;  ///< -1: no pass of the list
+  int number = -1;  ///< -1 if there is no such pass
   bool last = false;
 };
 template <class Next, class Passes, std::size_t N = tuple_size<Passes>, bool MovesUp = true>

@@ -68,7 +68,7 @@ struct BodyOfSnapshot {
 };
 template <class Space>
 using BodiesOfSnapshot = std::vector<BodyOfSnapshot<Space>>;
-/// Returns the bodies of a system in the order of the system, to which they refer.
+/// Returns the bodies of a system in its order. The result refers to the system.
 template <class Sys>
 [[gnu::cold]] auto bodies_of_snapshot(Sys const& system) {
   using P = typename Sys::policy;

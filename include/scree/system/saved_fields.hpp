@@ -10,8 +10,8 @@
 
 namespace scree::detail {
 
-/// A loop that copies columns to other columns word by word, so that adjacent threads copy adjacent words. Several
-/// threads share the columns, because a thread waits for one word after another.
+/// A loop that copies columns word by word, with adjacent threads copying adjacent words. Several threads share the
+/// columns, because a thread waits for one word after another.
 struct CopyColumns {
   static constexpr int most = 32;
   UntypedColumn from[most], to[most];

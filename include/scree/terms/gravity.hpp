@@ -19,8 +19,8 @@ struct GravityDirection {
   }
 };
 
-/// Gravity, which acts against the last coordinate (up) or, on slopes, is inclined from there towards the first
-/// coordinate.
+/// Gravity, which acts downwards, against the last coordinate. For slopes, its direction is inclined from there towards
+/// the first coordinate.
 struct Gravity {
   double magnitude = 9.81;  ///< m/s^2, 0 or more; for upward gravity set the inclination to pi
   double inclination = 0;   ///< rad, from -pi to pi
