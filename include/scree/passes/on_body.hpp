@@ -49,8 +49,8 @@ inline constexpr bool is_over_material<OnlyIf<Pass>> = is_over_material<Pass>;
 template <class... Passes>
 inline constexpr bool is_over_material<Tuple<Passes...>> = (is_over_material<Passes> && ...);
 
-/// The binding of passes to a body, which replaces `Material` as the target and as a source. Sums over `Material`
-/// include each body with an interface, with the interface terms that add to the same fields.
+/// The binding of passes to a body, which replaces `Material` as the target and as a source. Sums over `Material` also
+/// include each body with an interface, by means of the interface terms that add to the same fields.
 template <class Body, class... Interfaces>
 class OnBody {
  public:

@@ -19,7 +19,7 @@
 // the body that evolves, and `Wall` is each body that follows a motion.
 namespace scree {
 
-/// Terms to be summed over the particles of one body, with a lens that may replace the values of these particles.
+/// Terms to be summed over the particles of one body, and a lens that may replace the values of these particles.
 template <class Body, class Lens, class... Terms>
 struct Over {
   using body = Body;

@@ -72,7 +72,7 @@ struct NoWatch {
 template <class P, class Search>
 class Searches {
  public:
-  using Now = std::vector<Places<P>> const&;  // of each body
+  using Now = std::vector<Places<P>> const&;  // positions of each body
   using OfOthers = Search;
   /// Makes searches among a number of bodies within a radius, m.
   Searches(double radius, std::size_t bodies) : radius_(radius), bodies_(bodies), slots_(bodies * bodies) {
@@ -109,8 +109,7 @@ class Searches {
   /// Whether the searches are not valid for these positions.
   bool outdated(Now) const { return false; }
 
-  /// The state that, in addition to the positions, determines the order of neighbours, which is empty for these
-  /// searches.
+  /// The state that, in addition to the positions, determines the order of neighbours; here it is empty.
   struct Memory {
     /// Makes the state for a number of bodies.
     explicit Memory(std::size_t /*bodies*/) {}
@@ -193,7 +192,7 @@ class Searches<P, Search> {
   template <class T>
   struct Built {
     std::unique_ptr<T> what;
-    long built = -1;  // number of the build of the watch
+    long built = -1;  // number of the build that it belongs to
   };
   struct OfBody {
     Built<Cells> cells;

@@ -40,13 +40,14 @@ class System {
   static constexpr std::size_t count = sizeof...(OfBodies);  ///< the number of bodies
   static constexpr bool has_ranks = Around::has_ranks;
 
-  /// Makes bodies without particles on an instance of the execution space, with the smoothing length (m) of the kernel.
+  /// Makes bodies without particles on an instance of the execution space, and the kernel with its smoothing length
+  /// (m).
   System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : kernel_(smoothing_length),
         bodies_{{Particles<P, typename OfBodies::fields>(space)}...},
         around_(kernel_.radius(), evolves, count, of_ghosts) {}
-  /// Makes bodies without particles on the default instance of the execution space, with the smoothing length (m) of
-  /// the kernel.
+  /// Makes bodies without particles on the default instance of the execution space, and the kernel with its smoothing
+  /// length (m).
   System(double smoothing_length, typename Ghosts::Settings const& of_ghosts)
       : System(typename P::space(), smoothing_length, of_ghosts) {}
   /// Returns the instance of the execution space in which all loops run.
