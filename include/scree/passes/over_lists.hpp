@@ -18,7 +18,7 @@
 #define SCREE_COMPILED_LOOPS
 namespace scree::detail {
 
-/// The source of a loop over a body with neighbour lists.
+/// The source of a loop that sums over one body with neighbour lists.
 template <class P, class Target, class Over>
 struct source_in_lists;
 template <class P, class Target, class Body, class Lens, class... Terms>
@@ -27,13 +27,13 @@ struct source_in_lists<P, Target, Over<Body, Lens, Terms...>> {
   using List = std::conditional_t<std::is_same_v<Target, Body>, Own, typename Own::OfOthers>;
   using type = Source<P, decltype(std::declval<List const&>().view()), Lens, Terms...>;
 };
-/// The source of a loop over the neighbours of the material in the material.
+/// The source of sums for material particles over neighbours in the material.
 template <class P, class... Terms>
 using OfMaterial = typename source_in_lists<P, Material, Over<Material, AsIs, Terms...>>::type;
-/// The source of a loop over the neighbours of the material in the walls.
+/// The source of sums for material particles over neighbours in the walls.
 template <class P, class Lens, class... Terms>
 using OfWall = typename source_in_lists<P, Material, Over<Wall, Lens, Terms...>>::type;
-/// The source of a loop over the neighbours of the walls in the material.
+/// The source of sums for wall particles over neighbours in the material.
 template <class P, class... Terms>
 using AtWall = typename source_in_lists<P, Wall, Over<Material, AsIs, Terms...>>::type;
 
