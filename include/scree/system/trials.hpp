@@ -31,7 +31,7 @@ class Trials {
   /// Calls take(), which advances the state by one step, on trial if `may_begin` is true and the system begins a trial.
   /// If the trial has failed, restores the state at the beginning of the trial and returns false. Exceptions from a
   /// step outside a trial are thrown again. An exception from a step of a trial may be an effect of outdated lists, so
-  /// it is thrown again only if the trial was good.
+  /// on a single rank it is thrown again only if the trial was good.
   template <class Take>
   bool step(Take const& take, bool may_begin) {
     try {
@@ -59,7 +59,8 @@ class Trials {
     return !failed;
   }
   /// Returns question(), a condition that does not depend on the state. If question() throws, the run ends in a certain
-  /// state: the present state or, if the trial has failed, the state at the beginning of the trial.
+  /// state: the present state or, if the trial has failed or there are several ranks, the state at the beginning of the
+  /// trial.
   template <class Question>
   bool ask(Question const& question) {
     try {
