@@ -103,7 +103,7 @@ class System {
   /// Runs passes in order. Ghosts are refreshed before each pass that reads them.
   void run(std::span<detail::AnyPass const> passes) { around_.run(all(), passes, this); }
   /// Throws std::logic_error if the values of ghosts in these columns of each body differ from the values of their
-  /// origins. The check runs only if SCREE_CHECK_LISTS is defined.
+  /// origins. The check runs only if SCREE_CHECK_LISTS is defined and the ghosts are those of several ranks.
   void check_ghosts([[maybe_unused]] ColumnNumbers const* of_bodies) {
 #ifdef SCREE_CHECK_LISTS
     around_.check_ghosts(all(), of_bodies);
