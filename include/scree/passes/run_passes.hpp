@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// Runs a list of passes in order. Ghosts receive the fields that these changed, and no others.
+/// Runs a list of passes in order. Only fields that the passes have changed are copied to ghosts.
 template <class Sys, detail::AnyTuple Passes>
 void run_passes(Sys& system, Passes const& passes) {
   if constexpr (detail::tuple_size < Passes >> 0)
