@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "interrupt.hpp"
 #include "snapshot_notes.hpp"
 #include "wall_clock.hpp"
