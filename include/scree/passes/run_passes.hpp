@@ -5,9 +5,6 @@
 #include "../core/tuple.hpp"
 #include "pass.hpp"
 
-#include <type_traits>
-#include <utility>
-
 namespace scree {
 namespace detail {
 /// Whether a pass changes no fields but those in its `writes`: its loop can write no others.
@@ -23,7 +20,7 @@ inline constexpr bool changes_only_writes<OnlyIf<Pass>> = changes_only_writes<Pa
 /// Only its passes change fields during its lifetime. Ghosts receive the fields that these changed, and no others.
 template <class Sys>
 class PassesOf {
-  static constexpr bool announces = on_ranks<std::remove_cvref_t<decltype(std::declval<Sys&>().ghosts())>>;
+  static constexpr bool announces = Sys::tracks_changes;
 
  public:
   explicit PassesOf(Sys& system) : system_(system) {

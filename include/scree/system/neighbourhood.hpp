@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/one_rank.hpp"
 #include "ghosts.hpp"
 #include "searches.hpp"
 #include "sort.hpp"
 #include "trial.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -36,7 +36,7 @@ class Neighbourhood {
   using All = AllBodies<P>;
   using Read = AllBodiesRead<P>;
   using SearchesOf = Searches<P, Search>;
-  static constexpr bool has_ranks = on_ranks<Ghosts>;
+  using Provider = provider_in_case<P, Ghosts>;
 
   /// For a number of bodies, of which some are sorted (an array that outlives this object), with pairs within a radius
   /// (m).
@@ -67,20 +67,24 @@ class Neighbourhood {
   void refresh_ghosts(All bodies, std::size_t body, ColumnNumbers columns);
   /// Throws std::logic_error if the lists are not valid for the present positions. For tests.
   [[gnu::cold]] void check_lists(Read bodies) const;
-  /// Throws std::logic_error if ghosts on other ranks have other values of these columns than their origins. For tests.
-  [[gnu::cold]] void check_ghosts(Read bodies, ColumnNumbers const* columns) const;
-  /// For lists of passes on ranks: begins (true) or ends (false) a time in which all changes of fields are announced by
-  /// columns_changed(), so that only changed fields are copied to ghosts.
-  void announces_changes(bool all);
+  /// Throws std::logic_error if ghosts have other values of these columns than their origins. For tests.
+  [[gnu::cold]] void check_ghosts(Read bodies, ColumnNumbers const* columns) const {
+    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].check_ghosts(bodies[k], columns[k]);
+  }
+  /// For lists of passes, where providers have tracks_changes: begins (true) or ends (false) a time in which all
+  /// changes of fields are announced by columns_changed(), so that only changed fields are copied to ghosts.
+  void announces_changes(bool all) {
+    for (Provider& each : ghosts_) each.announces_changes(all);
+  }
   /// Announces that columns of a body have changed, so that their ghosts are refreshed before they are read.
-  void columns_changed(std::size_t body, ColumnNumbers columns);
+  void columns_changed(std::size_t body, ColumnNumbers columns) { ghosts_[body].columns_changed(columns); }
   /// How often neighbour lists were built.
   long neighbour_builds() const { return searches_.builds(); }
   /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
   /// at each update.
   double half_skin() const { return SearchesOf::margin(radius_) / 2; }
 
-  /// Adds particles to a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
+  /// Adds particles to a body, with zeros in all fields, behind its others, where the case takes new ones; returns
   /// the number of the first. Call particles_changed() once their positions are set.
   [[gnu::cold]] int append(All bodies, std::size_t body, int number);
   /// Keeps only these owned particles of a body, in this order. Call particles_changed() afterwards.
@@ -90,39 +94,35 @@ class Neighbourhood {
     settle(bodies);
     renew(bodies);
   }
-  /// The numbers of particles that were added and removed since the system was made, on all ranks.
+  /// The numbers of particles that were added and removed in the whole case since the system was made.
   Turnover const& turnover(std::size_t body) const { return turnover_[body]; }
 
-  /// The ghosts of the first body, which know the ranks of the case.
+  /// The ghosts of the first body.
   Ghosts const& ghosts() const { return ghosts_[0]; }
-  /// Declares that each rank of the case begins with a share of the particles.
-  void begin_with_shares() {
-    if constexpr (has_ranks) Ghosts::begin_with_shares(ghosts_);
+  /// Begins with the particles that a solver is given. Throws std::invalid_argument if these are not all of the case.
+  template <class Start>
+  void begin(Start const& start) {
+    Provider::begin(ghosts_, start);
   }
-  /// Sends shares to the ranks that they belong to.
+  /// Brings particles of a share to where they belong.
   void settle_shares(All bodies) {
-    if (ranks().scattered() && !is_settled()) settle(bodies);
+    if (ghosts_[0].has_share()) settle(bodies);
   }
-  /// Copies of the particles of a body on other ranks that are within a distance (m) of those of all bodies here, and
-  /// of periodic images if those are wanted. All ranks call it together.
-  template <class List>
-  auto copies_near(Read bodies, std::size_t body, double distance, bool images, List list) const {
-    return ghosts_[body].copies_near(bodies[body], bodies, distance, images, list);
+  /// visit(copies) for copies of those particles of a body that are elsewhere, within a distance (m) of the particles
+  /// of all bodies here, and of periodic images if those are wanted. No call if all particles are here.
+  template <class List, class Visit>
+  void with_copies_near(Read bodies, std::size_t body, double distance, bool images, List list,
+                        Visit const& visit) const {
+    ghosts_[body].with_copies_near(bodies[body], bodies, distance, images, list, visit);
   }
-  /// Agreement of all ranks of the case.
-  auto const& ranks() const {
-    if constexpr (has_ranks)
-      return ghosts_[0];
-    else
-      return one_rank;
-  }
+  /// What is true of the whole case: a WholeCase, or a provider with its functions.
+  auto const& whole_case() const { return ghosts_[0].whole_case(); }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   [[gnu::cold]] int extent_at(typename P::space const& space,
                               std::vector<Vec<P::dim, typename P::real>> const& positions) const;
 
   /// Begins a trial where that saves time. The watch checks rarely during a trial, so steps may turn out to
-  /// have used lists that were no longer valid. Returns whether a trial has begun. All ranks of a case call this and
-  /// the next three together.
+  /// have used lists that were no longer valid. Returns whether a trial has begun.
   [[gnu::cold]] bool begin_trial(All bodies);
   /// Whether steps are taken on trial.
   bool in_trial() const { return trial_.under_way; }
@@ -152,10 +152,10 @@ class Neighbourhood {
   };
   /// The state, in addition to the fields, that determines the order of neighbours.
   [[gnu::cold]] Memory memory(Read bodies) const;
-  /// The numbers of the particles of each body that belong to this rank; empty: all.
-  using Kept = std::vector<std::vector<int>>;
+  /// The numbers of the particles of each body that stay here; none: all do.
+  using Kept = std::optional<std::vector<std::vector<int>>>;
   /// Sets everything but the fields to the state of another system with the same fields and all particles of the case.
-  /// Returns which particles belong to this rank: set their fields, and call end_restore().
+  /// Returns which particles stay here: set their fields, and call end_restore().
   [[gnu::cold]] Kept begin_restore(All bodies, Memory& memory);
   /// Ends what begin_restore() has begun, with the same memory.
   [[gnu::cold]] void end_restore(Memory const& memory);
@@ -165,22 +165,20 @@ class Neighbourhood {
     if (trial_.under_way) throw std::logic_error("scree: particles can be added and removed between steps only");
   }
   bool has_ghosts() const { return ghosts_[0].any(); }
-  bool is_settled() const {
-    if constexpr (has_ranks)
-      return ghosts_[0].settled();
-    else
-      return true;
-  }
-  Ghosts ghosts_of(typename Ghosts::Settings const& settings) const {
+  Provider ghosts_of(typename Ghosts::Settings const& settings) const {
     // Together two particles may cross the margin, and may be outside of a period by it.
     return {settings, radius_, 2 * SearchesOf::margin(radius_)};
   }
   static std::vector<Places<P>> now(Read bodies);
   void bring_up_to_date(All bodies, bool between_steps);
   [[gnu::cold]] void settle(All bodies);
-  /// Whether particles must go where they belong before the next step, even if the lists are valid for it.
-  bool must_settle();
+  /// Whether the lists are valid for the present positions, after a change of these. Throws ListsOutrun if steps on
+  /// trial have used lists that were no longer valid.
+  bool lists_serve(Read bodies);
   [[gnu::cold]] void renew(All bodies);
+  void join_frames() {
+    searches_.join_frames([&](auto& frames) { whole_case().join(frames); });
+  }
   void guard_positions(All bodies);
   /// Ghosts belong to the positions that the lists were built from, those of the owned particles in `lists`. Adds their
   /// positions to these.
@@ -188,13 +186,13 @@ class Neighbourhood {
   [[gnu::cold]] Kept restore_ghosts(All bodies, Lists& lists);
 
   double radius_;
-  std::vector<Ghosts> ghosts_;
+  std::vector<Provider> ghosts_;
   SearchesOf searches_;
   std::vector<Turnover> turnover_;
   bool const* sorted_;
   bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
-  int unsettled_ = 0;  // builds since particles last went where they belong, on ranks
+  int unsettled_ = 0;  // builds since particles last went where they belong
   bool shown_ = true;  // others may have changed positions without the guards
   Trial<P, decltype(std::declval<SearchesOf&>().watch())> trial_;
 };
@@ -217,8 +215,7 @@ Neighbourhood<P, Search, Ghosts>::~Neighbourhood() = default;
 template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::positions_changed() {
   stale_ = true;
-  if constexpr (has_ranks)
-    for (Ghosts& each : ghosts_) each.positions_changed();
+  for (Provider& each : ghosts_) each.positions_changed();
 }
 
 template <class P, class Search, class Ghosts>
@@ -250,20 +247,9 @@ void Neighbourhood<P, Search, Ghosts>::check_lists(Read bodies) const {
 }
 
 template <class P, class Search, class Ghosts>
-void Neighbourhood<P, Search, Ghosts>::check_ghosts([[maybe_unused]] Read bodies,
-                                                    [[maybe_unused]] ColumnNumbers const* columns) const {
-  if constexpr (has_ranks)
-    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].check_ghosts(bodies[k], columns[k]);
-}
-
-template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::refresh_ghosts(All bodies, ColumnNumbers const* columns) {
   bring_up_to_date(bodies, false);
-  if constexpr (has_ranks)
-    Ghosts::refresh_all(ghosts_, bodies, columns);
-  else
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-      if (!columns[k].empty()) ghosts_[k].refresh(bodies[k], columns[k]);
+  Provider::refresh_all(ghosts_, bodies, columns);
 }
 
 template <class P, class Search, class Ghosts>
@@ -273,21 +259,9 @@ void Neighbourhood<P, Search, Ghosts>::refresh_ghosts(All bodies, std::size_t bo
 }
 
 template <class P, class Search, class Ghosts>
-void Neighbourhood<P, Search, Ghosts>::announces_changes([[maybe_unused]] bool all) {
-  if constexpr (has_ranks)
-    for (Ghosts& each : ghosts_) each.announces_changes(all);
-}
-
-template <class P, class Search, class Ghosts>
-void Neighbourhood<P, Search, Ghosts>::columns_changed([[maybe_unused]] std::size_t body,
-                                                       [[maybe_unused]] ColumnNumbers columns) {
-  if constexpr (has_ranks) ghosts_[body].columns_changed(columns);
-}
-
-template <class P, class Search, class Ghosts>
 int Neighbourhood<P, Search, Ghosts>::append(All bodies, std::size_t body, int number) {
   require_no_trial();
-  int const first = bodies[body].append(ranks().takes_new() ? number : 0);
+  int const first = bodies[body].append(whole_case().takes_new() ? number : 0);
   turnover_[body].added += number;
   return first;
 }
@@ -295,7 +269,7 @@ int Neighbourhood<P, Search, Ghosts>::append(All bodies, std::size_t body, int n
 template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::keep(All bodies, std::size_t body, Array<P, int const> const& numbers) {
   require_no_trial();
-  turnover_[body].removed += ranks().sum(bodies[body].size() - numbers.size());
+  turnover_[body].removed += whole_case().sum(bodies[body].size() - numbers.size());
   bodies[body].reorder(numbers);
 }
 
@@ -304,10 +278,7 @@ int Neighbourhood<P, Search, Ghosts>::extent_at(typename P::space const& space,
                                                 std::vector<Vec<P::dim, typename P::real>> const& positions) const {
   Particles<P, Fields<Position>> body(space, static_cast<int>(positions.size()));
   body.from_host(fields::position, positions);
-  if constexpr (has_ranks)
-    ghosts_[0].images().create(body);
-  else
-    ghosts_of(ghosts_[0].settings()).create(body);
+  ghosts_of(ghosts_[0].settings()).images().create(body);
   return body.extent();
 }
 
@@ -321,7 +292,7 @@ bool Neighbourhood<P, Search, Ghosts>::begin_trial(All bodies) {
   }
   int here = 0;
   for (std::size_t k = 0; k < bodies.size(); ++k) here += bodies[k].size();
-  if (!searches_.watch().may_look_rarely() || ranks().on_any(here > decltype(trial_)::most)) return false;
+  if (!searches_.watch().may_look_rarely() || whole_case().anywhere(here > decltype(trial_)::most)) return false;
   trial_.begin(bodies, searches_.watch());
   trial_.stale = stale_, trial_.wrap_due = wrap_due_;
   return true;
@@ -331,7 +302,7 @@ template <class P, class Search, class Ghosts>
 bool Neighbourhood<P, Search, Ghosts>::trial_failed(All bodies) {
   if (!trial_.under_way) return false;
   bodies[0].space().fence("scree::trial");
-  return ranks().on_any(searches_.watch().outrun());
+  return whole_case().anywhere(searches_.watch().outrun());
 }
 
 template <class P, class Search, class Ghosts>
@@ -364,11 +335,12 @@ auto Neighbourhood<P, Search, Ghosts>::begin_restore(All bodies, Memory& memory)
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (bodies[k].size() != memory.owned[k]) bodies[k].resize(memory.owned[k]);
   turnover_ = memory.turnover;
-  Kept kept(bodies.size());
-  if constexpr (has_ranks) Ghosts::begin_again(ghosts_);
+  Kept kept;
+  Provider::begin_again(ghosts_);
   if constexpr (ListsWithSkin<Search, P>)
     if (memory.searches.builds > 0) kept = restore_ghosts(bodies, memory.searches);
-  searches_.restore(bodies[0].space(), memory.searches, ranks());
+  searches_.restore(bodies[0].space(), memory.searches);
+  join_frames();
   return kept;
 }
 
@@ -393,38 +365,42 @@ template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::bring_up_to_date(All bodies, bool between_steps) {
   bool const must = between_steps && wrap_due_;
   if (!must && !stale_) return;
-  if (!must && searches_.serve(now(bodies), ranks())) {
+  if (!must && lists_serve(bodies)) {
     stale_ = false;
     return guard_positions(bodies);
   }
   // Within a step integrators rely on earlier positions, so particles must not jump.
-  wrap_due_ = must_settle();
+  wrap_due_ = ghosts_[0].must_settle(unsettled_);
   if (between_steps) settle(bodies);
   renew(bodies);
 }
 
 template <class P, class Search, class Ghosts>
+bool Neighbourhood<P, Search, Ghosts>::lists_serve(Read bodies) {
+  auto&& watch = searches_.watch();
+  double crossed = watch.crossed(now(bodies));
+  if (watch.looks_now()) {
+    crossed = whole_case().largest(crossed);
+    if (trial_.under_way && whole_case().anywhere(watch.outrun())) throw ListsOutrun();
+  }
+  return watch.serves(crossed);
+}
+
+template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::settle(All bodies) {
-  if constexpr (has_ranks) Ghosts::before_settle(ghosts_, bodies);
+  Provider::before_settle(ghosts_, bodies);
   for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].settle(bodies[k]);
   wrap_due_ = false;
   unsettled_ = 0;
 }
 
 template <class P, class Search, class Ghosts>
-bool Neighbourhood<P, Search, Ghosts>::must_settle() {
-  if constexpr (has_ranks)
-    return ghosts_[0].must_settle(++unsettled_);
-  else
-    return has_ghosts();
-}
-
-template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::renew(All bodies) {
   stop_if_trial_failed(bodies);
-  if constexpr (has_ranks) Ghosts::before_create(ghosts_, bodies);
+  Provider::before_create(ghosts_, bodies);
   for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].create(bodies[k]);
-  searches_.renew(now(bodies), ranks());
+  searches_.renew(now(bodies));
+  join_frames();
   stale_ = trial_.under_way = false;
   guard_positions(bodies);
 }
@@ -438,16 +414,12 @@ template <class P, class Search, class Ghosts>
 template <class Lists>
 auto Neighbourhood<P, Search, Ghosts>::restore_ghosts(All bodies, Lists& lists) -> Kept {
   using namespace fields;
-  Kept kept(bodies.size());
-  if (!has_ghosts()) return kept;
+  if (!has_ghosts()) return std::nullopt;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     lists.kept[k].resize(std::size_t(bodies[k].size()));
     bodies[k].columns().from_host(bodies[k].number_of(position), lists.kept[k].data());
   }
-  if constexpr (has_ranks)
-    kept = Ghosts::scatter(ghosts_, bodies);
-  else
-    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].create(bodies[k]);
+  Kept kept = Provider::scatter(ghosts_, bodies);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     lists.owned[k] = bodies[k].size();
     lists.kept[k] = values_of(bodies[k][position]);

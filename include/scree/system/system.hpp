@@ -35,8 +35,8 @@ class System {
  public:
   using policy = P;
   using bodies = Bodies<typename OfBodies::body...>;
-  static constexpr std::size_t count = sizeof...(OfBodies);  ///< the number of bodies
-  static constexpr bool has_ranks = Around::has_ranks;
+  static constexpr std::size_t count = sizeof...(OfBodies);                 ///< the number of bodies
+  static constexpr bool tracks_changes = Around::Provider::tracks_changes;  ///< whether it asks for fields_changed()
 
   /// Bodies without particles on an instance of the execution space, with the smoothing length (m) of their kernel.
   System(typename P::space const& space, double smoothing_length, typename Ghosts::Settings const& of_ghosts)
@@ -102,8 +102,8 @@ class System {
     around_.check_ghosts(all(), columns);
 #endif
   }
-  /// For lists of passes on ranks: begins (true) or ends (false) a time in which all changes of fields are announced by
-  /// fields_changed(), so that only changed fields are copied to ghosts.
+  /// For lists of passes, where this system tracks_changes: begins (true) or ends (false) a time in which all changes
+  /// of fields are announced by fields_changed(), so that only changed fields are copied to ghosts.
   void announces_changes(bool every) { around_.announces_changes(every); }
   /// Announces that fields of a body have changed, so that their ghosts are refreshed before they are read.
   template <BodyTag Body, class List>
@@ -116,8 +116,8 @@ class System {
   /// at each update.
   double half_skin() const { return around_.half_skin(); }
 
-  /// Adds particles of a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
-  /// the number of the first. Call particles_changed() once their positions are set.
+  /// Adds particles of a body, with zeros in all fields, behind its others, where the case takes new ones; returns the
+  /// number of the first. Call particles_changed() once their positions are set.
   template <BodyTag Body>
   int append(int particles) {
     return around_.append(all(), number<Body>, particles);
@@ -129,29 +129,32 @@ class System {
   }
   /// Builds all lists and ghosts for the new set of particles.
   void particles_changed() { around_.particles_changed(all()); }
-  /// The numbers of particles that were added and removed since the system was made, on all ranks.
+  /// The numbers of particles that were added and removed in the whole case since the system was made.
   template <BodyTag Body>
   Turnover const& turnover() const {
     return around_.turnover(number<Body>);
   }
-  /// The ghosts of the first body, which know the ranks of the case.
+  /// The ghosts of the first body.
   Ghosts const& ghosts() const { return around_.ghosts(); }
-  /// Declares that each rank of the case begins with a share of the particles.
-  void begin_with_shares() { around_.begin_with_shares(); }
-  /// Sends shares to the ranks that they belong to.
-  void settle_shares() { around_.settle_shares(all()); }
-  /// Copies of the particles of a body on other ranks that are within a distance (m) of those of all bodies here, and
-  /// of periodic images if those are wanted. All ranks call it together.
-  template <BodyTag Body, class List>
-  auto copies_near(double distance, bool images, List list) const {
-    return around_.copies_near(all(), number<Body>, distance, images, list);
+  /// Begins with the particles that a solver is given. Throws std::invalid_argument if these are not all of the case.
+  template <class Start>
+  void begin(Start const& start) {
+    around_.begin(start);
   }
-  /// Agreement of all ranks of the case.
-  auto const& ranks() const { return around_.ranks(); }
+  /// Brings particles of a share to where they belong.
+  void settle_shares() { around_.settle_shares(all()); }
+  /// visit(copies) for copies of those particles of a body that are elsewhere, within a distance (m) of the particles
+  /// of all bodies here, and of periodic images if those are wanted. No call if all particles are here.
+  template <BodyTag Body, class List, class Visit>
+  void with_copies_near(double distance, bool images, List list, Visit const& visit) const {
+    around_.with_copies_near(all(), number<Body>, distance, images, list, visit);
+  }
+  /// What is true of the whole case: WholeCase, or an Agreement of its ranks.
+  auto const& whole_case() const { return around_.whole_case(); }
   /// A body of the whole case at a time (s).
   template <BodyTag Body>
   auto whole(double time = 0) const {
-    return WholeBody(body<Body>(), ranks(), time);
+    return WholeBody(body<Body>(), whole_case(), time);
   }
   /// The number of particles of a body with its images, if its owned particles are at these positions.
   int extent_at(std::vector<Vec<P::dim, typename P::real>> const& positions) const {
@@ -159,8 +162,7 @@ class System {
   }
 
   /// Begins a trial where that saves time, on a GPU. The watch checks rarely during a trial, so steps may turn out to
-  /// have used lists that were no longer valid. Returns whether a trial has begun. All ranks of a case call this and
-  /// the next three together.
+  /// have used lists that were no longer valid. Returns whether a trial has begun.
   bool begin_trial() {
     if constexpr (detail::has_trials<typename P::space>)
       return around_.begin_trial(all());
@@ -186,8 +188,7 @@ class System {
   /// The state, in addition to the fields, that determines the order of neighbours.
   Memory memory() const { return around_.memory(all()); }
   /// Sets the system to the state of another one with the same fields and all particles of the case: pour(kept) sets
-  /// the fields of the owned particles. `kept` has the numbers of those of each body that belong to this rank; empty:
-  /// all.
+  /// the fields of the owned particles. `kept` has the numbers of those of each body that stay here; none: all do.
   template <class Pour>
   void restore(Memory memory, Pour const& pour) {
     pour(around_.begin_restore(all(), memory));

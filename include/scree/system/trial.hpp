@@ -19,7 +19,7 @@ class Trial {
   long failures = 0;                     ///< so far
   bool stale = false, wrap_due = false;  ///< of the system at the beginning
 
-  /// Particles of a rank, with its walls, above which a check after each update costs less than a trial, whose copies
+  /// Particles of a system, with its walls, above which a check after each update costs less than a trial, whose copies
   /// need a fifth of the memory.
   static constexpr int most = 1 << 22;
 

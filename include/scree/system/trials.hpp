@@ -21,7 +21,7 @@ namespace scree::detail {
 ///     in trial -- become_certain(), the trial had failed         -->  certain, at the beginning of the trial
 ///
 /// Whoever reads the state (observers, inlets, components, a caller of run()) needs certainty first. `State` has a
-/// `system` and a `clock`. On several ranks of a case all of them begin, fail and repeat together.
+/// `system` and a `clock`. Where others share the case, all of them begin, fail and repeat together.
 template <class State>
 class Trials {
  public:
@@ -39,10 +39,10 @@ class Trials {
     } catch (ListsOutrun const&) {
       go_back();
     } catch (...) {
-      // On several ranks an error may be that of one rank alone, and checks of the state come after one of the lists.
-      bool const several = state_.system.ranks().several();
-      if (several) state_.system.end_trial();
-      if (several || become_certain()) throw;
+      // In a shared case an error may be of this part alone, and checks of the state come after one of the lists.
+      bool const is_shared = state_.system.whole_case().is_shared();
+      if (is_shared) state_.system.end_trial();
+      if (is_shared || become_certain()) throw;
     }
     return false;
   }
@@ -62,10 +62,10 @@ class Trials {
     try {
       return question();
     } catch (...) {
-      if (!state_.system.ranks().several())
+      if (!state_.system.whole_case().is_shared())
         become_certain();
       else if (state_.system.in_trial())
-        go_back();  // an error of this rank alone: the others do not answer
+        go_back();  // an error of this part alone: the others do not answer
       throw;
     }
   }
