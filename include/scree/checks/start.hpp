@@ -43,6 +43,14 @@ struct PlacedParticles {
     make_room(volumes, x.size());
     for (auto const v : order.of(body.here().to_host(volume, which...))) volumes.push_back(double(v));
   }
+  /// add_here() with the identities as names, unless the whole case is here: then add().
+  template <class... Of, class... Numbers>
+  void add_part(WholeBody<Of...> const& body, Numbers const&... which) {
+    if (body.all_here())
+      add(body.untyped(), which...);
+    else
+      add_here(body.here(), which...);
+  }
   /// Adds points with one volume (m^dim).
   template <class X>
   [[gnu::cold]] void add(std::vector<X> const& points, double volume_of_each) {
@@ -79,10 +87,10 @@ inline constexpr std::size_t walls_looked_at = 4096;
 
 }  // namespace detail
 
-/// The rest of the case, for check_start() on one of its ranks.
+/// The rest of the case, for check_start() of those that are here.
 struct OtherPlaces {
   std::size_t first_wall = 0;          ///< particles before it, behind those owned, are of the material, too
-  std::function<long(long)> sum = {};  ///< over all ranks; none: all particles are here
+  std::function<long(long)> sum = {};  ///< over the whole case; none: all particles are here
 };
 
 /// The particles of the material come first; there are `owned` of them. Throws std::invalid_argument if

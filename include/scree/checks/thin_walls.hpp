@@ -20,14 +20,14 @@
 namespace scree {
 
 /// The particles of the material, `owned` of them, then those of walls, which of the latter belong to plates and which
-/// of these turn; of all ranks of the case, or those near one of them.
+/// of these turn; of the whole case, or those that are here and near these.
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
   std::vector<char> is_plate;
   std::vector<char> turns;                                          ///< empty: none
   double support = detail::WallView::usual_support;                 ///< of the kernel, spacings
-  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other ranks
+  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls are not here
 
   /// Inserts the particles of the material before those of walls. They need names if the particles of walls have names.
   /// Call it once.
@@ -36,41 +36,30 @@ struct ParticlesAtWalls {
   /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.
   template <class... Of>
   [[gnu::cold]] void add_wall(WholeBody<Of...> const& body, bool shows_means, std::vector<char> const& turning = {}) {
-    all.add(body.untyped());
+    all.add_part(body);
     if constexpr (OneOf<OnPlate, typename WholeBody<Of...>::particles::fields>)
-      add_plates(body.values(OnPlate{}), shows_means);
+      add_plates(body.all_here() ? body.values(OnPlate{}) : body.here().to_host(OnPlate{}), shows_means);
     is_plate.resize(all.places.size() - owned, !shows_means);
     if (!turning.empty())
-      for (char const each : body.order().of(turning)) turns.push_back(each != 0);
-    turns.resize(is_plate.size(), false);
-  }
-  /// Adds the particles of a wall as add_wall() does, for one rank of a case: its own particles first, then those of
-  /// other ranks that are near. All ranks call it together.
-  template <class Body, class Sys>
-  [[gnu::cold]] void add_wall_here(Sys const& system, bool shows_means, std::vector<char> const& turning = {}) {
-    auto const& body = system.template body<Body>();
-    add_wall_particles<typename std::remove_cvref_t<decltype(body)>::fields>(body, shows_means);
-    turns.insert(turns.end(), turning.begin(), turning.end());
+      for (char const each : body.all_here() ? body.order().of(turning) : turning) turns.push_back(each != 0);
     turns.resize(is_plate.size(), false);
     looked_at = is_plate.size();
   }
-  /// Adds the particles of a body of walls that are within `reach` (m) of the material. `shows_means`: whether they
-  /// show all material the same values.
+  /// Adds copies of particles of a wall that are elsewhere, within `reach` (m) of the particles here. Call it after
+  /// add_wall() of all walls.
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_near(Sys const& system, double reach, bool shows_means) {
     using Given = typename std::remove_cvref_t<decltype(system.template body<Body>())>::fields;
     using Wanted = Merge<Fields<Position, Volume, Identity>, Common<Fields<OnPlate>, Given>>;
-    add_wall_particles<Given>(system.template copies_near<Body>(reach, false, Wanted{}), shows_means);
-    turns.resize(is_plate.size(), false);
+    system.template with_copies_near<Body>(reach, false, Wanted{}, [&](auto const& copies) {
+      all.add_here(copies);
+      if constexpr (OneOf<OnPlate, Given>) add_plates(copies.to_host(OnPlate{}), shows_means);
+      is_plate.resize(all.places.size() - owned, !shows_means);
+      turns.resize(is_plate.size(), false);
+    });
   }
 
  private:
-  template <class Given, class Particles>
-  [[gnu::cold]] void add_wall_particles(Particles const& particles, bool shows_means) {
-    all.add_here(particles);
-    if constexpr (OneOf<OnPlate, Given>) add_plates(particles.to_host(OnPlate{}), shows_means);
-    is_plate.resize(all.places.size() - owned, !shows_means);
-  }
   template <class Values>
   void add_plates(Values const& values, bool shows_means) {
     for (auto const on : values) is_plate.push_back(on > 0 || !shows_means);
@@ -122,13 +111,10 @@ class ThinWalls {
 inline constexpr int many_thin_places = 3;
 
 /// The message for the first wall that is too thin for particles of a spacing (m); "" if no wall is, or if there are
-/// fewer than many_thin_places.
-[[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions);
-/// The message of fault_of_thin_walls() for a part of the particles of a case, where the part has the first wall that
-/// is too thin. `of_case` is a body of it (WholeBody).
-template <class Whole>
+/// fewer than many_thin_places in the case. Where not all of these are here, it is returned where the first one is.
+template <class Case = WholeCase>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
-                                              Whole const& of_case) {
+                                              Case const& of_case = {}) {
   ThinWalls const walls(particles, spacing, dimensions);
   double const lowest = -of_case.largest(-double(walls.lowest()));
   bool const many = of_case.sum(long(walls.faults())) >= many_thin_places;

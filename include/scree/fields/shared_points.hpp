@@ -2,15 +2,35 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/share_of_rank.hpp"
+#include "../core/setting.hpp"
 #include "../core/types.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace scree {
+
+/// The share of one rank, counted from 0, in the points of a case. Team::share() gives it.
+struct ShareOfRank {
+  int rank = 0, ranks = 1;  ///< the number of the rank, from 0, and of all ranks
+
+  /// Throws std::invalid_argument unless there is such a rank.
+  void check() const {
+    check_setting(ranks > 0, "the number of shares", ranks, "1 or more");
+    check_setting(rank >= 0 && rank < ranks, "the number of a share", rank, "from 0, below the number of shares");
+  }
+  /// The first of `all` points that belongs to this share; that of the next share follows its last one. Shares differ
+  /// by one point at most.
+  long first_of(long all) const { return all / ranks * rank + all % ranks * rank / ranks; }
+  /// The number after the last point of this rank, of `all` points.
+  long end_of(long all) const { return ShareOfRank{rank + 1, ranks}.first_of(all); }
+};
+/// Functions take a share under this concept, because braces around coordinates must not become a share.
+template <class T>
+concept IsShareOfRank = std::same_as<T, ShareOfRank>;
 
 /// Some consecutive points of a filling, those that one rank of a case has at its start. Point k here is number
 /// `first + k` of the `all` points of the filling. The shares of all ranks have each number once.
@@ -27,6 +47,17 @@ struct SharedPoints {
                                   " points of its filling: see `first` and `all` of SharedPoints");
   }
 };
+
+namespace detail {
+/// Throws std::invalid_argument if only a share of some points is here, for a case without ranks.
+[[gnu::cold]] inline void require_all_points(long here, long all) {
+  if (here != all)
+    throw std::invalid_argument(
+        formatted("scree: a share of %ld of %ld points is given, and the solver has no ranks: make it a "
+                  "Solver<OnRanks<F>>, or give all points",
+                  here, all));
+}
+}  // namespace detail
 
 /// A share of points that each rank has.
 template <int Dim>

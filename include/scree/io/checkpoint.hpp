@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "checkpoint_snapshot.hpp"
 
 // A checkpoint is a snapshot in an HDF5 file, sealed with its size and a checksum. See docs/checkpoint.md.
@@ -68,7 +68,8 @@ inline void keep_as_previous(std::filesystem::path const& path) {
 
 /// Replaces a checkpoint by a newer one; the older is kept as previous_checkpoint(). At any time, also if the program
 /// is killed or the disk is full, at least one of the two is complete. The directory must exist. Throws
-/// std::runtime_error with the file and the reason. Writes nothing on ranks other than the first (core/this_rank.hpp).
+/// std::runtime_error with the file and the reason. Writes nothing on ranks other than the first
+/// (core/writes_files.hpp).
 inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& snapshot) {
   if (!writes_files()) return;
   detail::with_file_named(path, "write the checkpoint", [&] {

@@ -33,7 +33,7 @@ struct CsvColumn {
 /// Numbers have all their digits: reading them gives the same bits. Throws std::runtime_error with file and reason if
 /// the file cannot be written, std::logic_error for a row of another length, and std::invalid_argument for a column
 /// without a name or one that would break the header (comma, quotation mark, line break). Writes nothing on ranks other
-/// than the first (core/this_rank.hpp).
+/// than the first (core/writes_files.hpp).
 class CsvSeries {
  public:
   using Rows = std::vector<std::vector<double>>;

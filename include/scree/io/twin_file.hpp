@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 
 #include <exception>
 #include <filesystem>

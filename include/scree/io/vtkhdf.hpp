@@ -52,7 +52,7 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
 /// share them. Failures of the file throw std::runtime_error with the file, what was being done and the cause; before
 /// it writes, append() makes sure that the disk has room, so that the steps already there survive a full disk. Wrong
 /// arguments throw std::invalid_argument and leave the file alone. Writes nothing on ranks other than the first
-/// (core/this_rank.hpp); there steps() counts those that were appended.
+/// (core/writes_files.hpp); there steps() counts those that were appended.
 class VtkHdfSeries {
  public:
   /// Creates the file with no steps. Its directory must exist; the file must not, unless options.overwrite.

@@ -4,7 +4,6 @@
 
 #include "../core/finite.hpp"
 #include "../core/loop.hpp"
-#include "../core/one_rank.hpp"
 #include "../fields/position_guard.hpp"
 #include "neighbours.hpp"
 
@@ -45,8 +44,7 @@ struct LargestDisplacement {
   }
 };
 
-/// Thrown when lists were used after particles had moved too far. It says that the caller that asked for rare checks
-/// must go back.
+/// Thrown when lists were used after particles had moved too far: the caller that asked for rare checks must go back.
 struct ListsOutrun {};
 
 }  // namespace detail
@@ -58,10 +56,10 @@ struct ListsOutrun {};
 /// every update. On a GPU each measurement costs a sweep over the particles and a synchronization, so a caller that can
 /// return to an earlier state may request rare checks. The interval to the next check is at most 256 updates; it is
 /// extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that move particles
-/// record the first update in which a particle moves too far (PositionGuard). If a list was used after that update, the
-/// next check throws detail::ListsOutrun, and the caller repeats its work with a check after every update. Rare checks
-/// do not change when lists are built: after the first update that moves a particle too far, or at a regular check that
-/// expects the end of the lists. See docs/neighbour_lists.md.
+/// record the first update in which a particle moves too far (PositionGuard). If a list was used after that update,
+/// outrun() returns true at the next check, and the caller repeats its work with a check after every update. Rare
+/// checks do not change when lists are built: after the first update that moves a particle too far, or at a regular
+/// check that expects the end of the lists. See docs/neighbour_lists.md.
 template <class P>
 class SkinWatch {
  public:
@@ -73,10 +71,14 @@ class SkinWatch {
   /// Watches lists of a number of bodies with a skin, m.
   SkinWatch(double skin, std::size_t bodies) : half_skin_(skin / 2), kept_(bodies) { forget_notes(); }
 
-  /// Whether lists built from the stored positions are valid for these, on all ranks of the case. Call it once after
-  /// each change of positions. Throws detail::ListsOutrun if invalid lists have been used since the last check.
-  template <class Ranks = OneRank>
-  bool serves(Now now, Ranks const& ranks = {});
+  /// Whether crossed() measures displacements now.
+  bool looks_now() const { return !rare_looks_ || is_due(); }
+  /// The largest displacement of a particle over half the skin, 0 unless looks_now(); infinity without lists of these
+  /// numbers of particles.
+  double crossed(Now now) const;
+  /// Whether the lists are valid if no particle has crossed() more than this. Call it once after each change of
+  /// positions, and where looks_now() ask for outrun() before.
+  bool serves(double crossed);
   /// Call this when lists are built from these positions.
   void keep(Now now);
   /// The largest displacement of a particle since the last build, divided by half the skin.
@@ -100,7 +102,7 @@ class SkinWatch {
     rare_looks_ = false;
     forget_notes();
   }
-  /// Whether invalid lists have been used on this rank; call it after all kernels have ended.
+  /// Whether invalid lists have been used; call it after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
   /// Returns to the history that look_rarely() gave, when the steps since then are repeated.
   void go_back(History const& history);
@@ -129,6 +131,7 @@ class SkinWatch {
   void restore(typename P::space const& space, Memory const& memory);
 
  private:
+  bool is_due() const { return history_.updates + 1 >= history_.next_look; }
   // The number of ghosts changes from build to build; memory is kept, because freeing it waits for all instances.
   static void copy(Kept& kept, Positions<P> const& x);
   // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. With constant acceleration from
@@ -151,25 +154,22 @@ class SkinWatch {
 };
 
 template <class P>
-template <class Ranks>
-bool SkinWatch<P>::serves(Now now, Ranks const& ranks) {
+double SkinWatch<P>::crossed(Now now) const {
   ProfilingRegion const region("scree::skin_watch");
-  bool const due = history_.updates + 1 >= history_.next_look;
   bool comparable = builds_ > 0;
   for (std::size_t body = 0; body < kept_.size(); ++body)
     comparable = comparable && now[body].owned == kept_[body].owned;
-  double crossed = comparable ? 0 : std::numeric_limits<double>::infinity();
-  if (due || !rare_looks_) {
-    if (comparable) crossed = crossed_since(now);
-    crossed = ranks.largest(crossed);
-  }
-  if (comparable && (due || !rare_looks_)) {
-    if (rare_looks_ && ranks.on_any(outrun())) throw detail::ListsOutrun();
-    forget_notes();
-  }
+  if (!comparable) return std::numeric_limits<double>::infinity();
+  return looks_now() ? crossed_since(now) : 0;
+}
+
+template <class P>
+bool SkinWatch<P>::serves(double crossed) {
+  bool const due = is_due();
+  if (looks_now()) forget_notes();
   ++history_.updates;
   // A position that is not finite causes a build, which reports it.
-  return comparable && crossed < 1 && !(due && about_to_end(crossed));
+  return crossed < 1 && !(due && about_to_end(crossed));
 }
 
 template <class P>

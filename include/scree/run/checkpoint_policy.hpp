@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "interrupt.hpp"
 #include "snapshot_notes.hpp"
 #include "wall_clock.hpp"
@@ -57,8 +57,8 @@ class CheckpointPolicy {
   template <class Solver>
   bool after_step(Solver const& solver) {
     auto const largest = [&](int number) {
-      if constexpr (requires { solver.ranks(); })
-        return int(solver.ranks().largest(number));
+      if constexpr (requires { solver.whole_case(); })
+        return int(solver.whole_case().largest(number));
       else
         return number;
     };

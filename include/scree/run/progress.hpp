@@ -29,7 +29,7 @@ namespace detail {
 /// A solver, whose particles may get lost.
 template <class S>
 concept CountsLost = requires(S const& solver) {
-  solver.ranks().largest(0.0);
+  solver.whole_case().anywhere(true);
   { solver.lost() } -> std::convertible_to<long>;
 };
 }  // namespace detail
@@ -81,7 +81,7 @@ class Progress {
   template <class S>
   bool after_step(S const& solver) {
     if constexpr (detail::CountsLost<S>)
-      if (solver.ranks().on_any(due())) lost_ = solver.lost();
+      if (solver.whole_case().anywhere(due())) lost_ = solver.lost();
     if constexpr (requires { std::string(solver.note_on_steps()); }) say_once(solver.note_on_steps());
     update(solver.time() / options_.unit, solver.steps());
     return false;

@@ -39,22 +39,6 @@ template <class P, class Memory>
                 {"wrap due", memory.wrap_due ? 1 : 0}});
   if (memory.unsettled > 0) add_counters(snapshot, "neighbours", {{"unsettled", memory.unsettled}});
 }
-/// Replaces the values in the arrays of particles, which are from this rank, by the values from all ranks.
-template <class Sys>
-[[gnu::cold]] void collect_from_ranks(Snapshot& snapshot, Sys const& system) {
-  for_each_body(typename Sys::bodies{}, [&]<class Body>() {
-    auto const& body = system.template body<Body>();
-    auto const order = system.ranks().order_of(body);
-    std::string const name(Body::name);
-    for (SnapshotArray& array : snapshot.arrays) {
-      bool const of_lists =
-          array.name == "neighbours/" + name && system.neighbour_builds() > 0 && system.ranks().scattered();
-      if (!of_lists && array.name.rfind(name + "/", 0) != 0) continue;
-      array.bytes.resize(array.bytes_of_each() * std::size_t(body.size()));  // drops ghosts
-      array.bytes = order.of(std::move(array.bytes), array.bytes_of_each());
-    }
-  });
-}
 /// Returns the values of the particles with the given indices.
 std::vector<std::byte> picked(SnapshotArray const& array, std::vector<int> const& numbers);
 /// Throws std::runtime_error if time, steps or a counter is out of range.
@@ -249,7 +233,7 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   snapshot.signature = detail::signature_of(system, bodies);
   detail::add_bodies(snapshot, bodies);
   if constexpr (ListsWithSkin<Search, P>) detail::add_memory<P>(snapshot, system.memory(), bodies);
-  if constexpr (detail::on_ranks<Ghosts>) detail::collect_from_ranks(snapshot, system);
+  system.whole_case().collect(snapshot, system);
   return snapshot;
 }
 
@@ -274,11 +258,7 @@ template <class P, class Search, class Ghosts, class... OfBodies, class Read>
     detail::read_lists<P>(memory, snapshot, bodies, system.half_skin(),
                           [&](auto const& positions) { return system.extent_at(positions); });
   read(std::as_const(memory.turnover));
-  system.restore(memory, [&]([[maybe_unused]] auto const& kept) {
-    bool picks = false;
-    if constexpr (detail::on_ranks<Ghosts>) picks = system.ranks().scattered();
-    detail::pour(snapshot, bodies, picks ? &kept : nullptr);
-  });
+  system.restore(memory, [&](auto const& kept) { detail::pour(snapshot, bodies, kept ? &*kept : nullptr); });
 }
 template <class Sys>
 void restore_into(Sys& system, Snapshot const& snapshot) {

@@ -59,6 +59,9 @@ struct cells_of<P, Search> {
 template <class P>
 struct NoWatch {
   struct History {};
+  bool looks_now() const { return false; }
+  double crossed(std::vector<Places<P>> const&) const { return 1; }
+  bool serves(double) const { return false; }
   bool may_look_rarely() const { return false; }
   History look_rarely() const { return {}; }
   void look_always() const {}
@@ -81,16 +84,13 @@ class Searches {
 
   /// Returns the distance that two particles together may move before renew() is needed, m.
   static double margin(double /*radius*/) { return 0; }
-  /// Whether the searches are still valid. Call this once after each change of positions.
-  template <class Ranks = OneRank>
-  bool serve(Now, Ranks const& = {}) {
-    return false;
-  }
   /// Marks all searches as outdated. Call this when the searches are not valid for the present positions.
-  template <class Ranks = OneRank>
-  void renew(Now, Ranks const& = {}) {
+  void renew(Now) {
     for (auto& slot : slots_) slot.current = false;
   }
+  /// Extends the frames of grids with `join(frames)`. There are none.
+  template <class Join>
+  void join_frames(Join const&) const {}
   /// Returns the neighbours of the particles of a body in the same body, for these positions.
   Search const& within(std::size_t body, Now now) { return among(body, body, now); }
   /// Returns the neighbours of the particles of the target body in the source body, for these positions.
@@ -117,10 +117,7 @@ class Searches {
   /// Returns an empty state.
   Memory memory() const { return Memory(bodies_); }
   /// Restores the state from memory(). The state is empty, so the next request updates the search.
-  template <class Ranks = OneRank>
-  void restore(typename P::space const&, Memory const&, Ranks const& = {}) {
-    renew({});
-  }
+  void restore(typename P::space const&, Memory const&) { renew({}); }
 
  private:
   struct Slot {
@@ -149,15 +146,15 @@ class Searches<P, Search> {
         others_(bodies * bodies) {}
 
   static double margin(double radius) { return Search::skin * radius; }
-  template <class Ranks = OneRank>
-  bool serve(Now now, Ranks const& ranks = {}) {
-    return watch_.serves(now, ranks);
-  }
-  template <class Ranks = OneRank>
-  void renew(Now now, Ranks const& ranks = {}) {
+  void renew(Now now) {
     watch_.keep(now);
     find_frames(now);
-    ranks.join(frames_);
+  }
+  /// Extends the frames of grids around the particles of each body: `join(frames)`. Call it after renew() and
+  /// restore().
+  template <class Join>
+  void join_frames(Join const& join) {
+    join(frames_);
   }
 
   Search const& within(std::size_t body, Now now) { return up_to_date(of_[body].own, now, body, body); }
@@ -176,12 +173,11 @@ class Searches<P, Search> {
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Restores the state of the searches from memory().
-  template <class Ranks = OneRank>
-  void restore(typename P::space const& space, Memory const& memory, Ranks const& ranks = {}) {
+  void restore(typename P::space const& space, Memory const& memory) {
     watch_.restore(space, memory);
     std::vector<Places<P>> kept(of_.size());
     for (std::size_t body = 0; body < kept.size(); ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
-    if (memory.builds > 0) find_frames(kept), ranks.join(frames_);
+    if (memory.builds > 0) find_frames(kept);
     for (auto& each : of_) each.cells.built = each.own.built = -1;
     for (auto& each : others_) each.built = -1;
   }
@@ -228,7 +224,7 @@ class Searches<P, Search> {
 
   double radius_;
   Watch watch_;
-  std::vector<Frame<P::dim>> frames_;  // frame of the owned particles of each body on all ranks
+  std::vector<Frame<P::dim>> frames_;  // frame of the owned particles of each body
   std::vector<OfBody> of_;
   std::vector<Built<OfOthers>> others_;  // for each pair of target and source
 };

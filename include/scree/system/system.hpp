@@ -38,7 +38,6 @@ class System {
   using policy = P;
   using bodies = Bodies<typename OfBodies::body...>;
   static constexpr std::size_t count = sizeof...(OfBodies);  ///< the number of bodies
-  static constexpr bool has_ranks = Around::has_ranks;
 
   /// Makes bodies without particles on an instance of the execution space, and the kernel with its smoothing length
   /// (m).
@@ -115,7 +114,7 @@ class System {
   /// lists are built at each update.
   double half_skin() const { return around_.half_skin(); }
 
-  /// Appends particles to a body, with zeros in all fields, on the rank that takes new particles, and returns the index
+  /// Appends particles to a body, with zeros in all fields, where the case takes new particles, and returns the index
   /// of the first. Call particles_changed() once the positions of the new particles are set.
   template <BodyTag Body>
   int append(int particles) {
@@ -128,30 +127,33 @@ class System {
   }
   /// Builds all lists and ghosts for the new set of particles, after append() or keep().
   void particles_changed() { around_.particles_changed(all()); }
-  /// Returns the numbers of particles added and removed on all ranks since the system was made.
+  /// Returns the numbers of particles added and removed in the whole case since the system was made.
   template <BodyTag Body>
   Turnover const& turnover() const {
     return around_.turnover(number<Body>);
   }
-  /// Returns the ghosts of the first body, which also hold the division of the case among the ranks.
+  /// Returns the ghosts of the first body.
   Ghosts const& ghosts() const { return around_.ghosts(); }
-  /// Declares that each rank of the case begins with a part of the particles.
-  void begin_with_shares() { around_.begin_with_shares(); }
-  /// Sends particles to the ranks to which they belong, after begin_with_shares().
-  void settle_shares() { around_.settle_shares(all()); }
-  /// Returns copies of the particles of a body that are on other ranks or, if `images` is true, are periodic images,
-  /// and that lie within a distance (m) of the bounding box of the particles of all bodies on this rank. All ranks must
-  /// call this together.
-  template <BodyTag Body, class List>
-  auto copies_near(double distance, bool images, List list) const {
-    return around_.copies_near(all(), number<Body>, distance, images, list);
+  /// Begins with the particles that a solver is given. Throws std::invalid_argument if these are not all of the case.
+  template <class Start>
+  void begin(Start const& start) {
+    around_.begin(start);
   }
-  /// Returns the object for collective operations on all ranks of the case: OneRank, or the ghosts of the first body.
-  auto const& ranks() const { return around_.ranks(); }
-  /// Returns a body with its particles on all ranks, at a time (s); see WholeBody.
+  /// Moves the particles of a share to where they belong.
+  void settle_shares() { around_.settle_shares(all()); }
+  /// Calls visit(copies) with copies of the particles of a body that are elsewhere or, if `images` is true, are
+  /// periodic images, and that lie within a distance (m) of the bounding box of the particles of all bodies here. Does
+  /// not call it if all particles are here.
+  template <BodyTag Body, class List, class Visit>
+  void with_copies_near(double distance, bool images, List list, Visit const& visit) const {
+    around_.with_copies_near(all(), number<Body>, distance, images, list, visit);
+  }
+  /// Returns the agreement on what is true of the whole case: WholeCase, or an Agreement of its ranks.
+  auto const& whole_case() const { return around_.whole_case(); }
+  /// Returns a body of the whole case at a time (s); see WholeBody.
   template <BodyTag Body>
   auto whole(double time = 0) const {
-    return WholeBody(body<Body>(), ranks(), time);
+    return WholeBody(body<Body>(), whole_case(), time);
   }
   /// Returns the number of particles that a body would have, images included, if its owned particles were at these
   /// positions.
@@ -160,8 +162,7 @@ class System {
   }
 
   /// Begins a trial if that saves time, as on a GPU, and returns whether a trial has begun. During a trial, neighbour
-  /// lists are checked rarely, so its steps may turn out to have used lists that were no longer valid. All ranks of a
-  /// case must call this, trial_failed() and stop_if_trial_failed() together.
+  /// lists are checked rarely, so its steps may turn out to have used lists that were no longer valid.
   bool begin_trial() {
     if constexpr (detail::has_trials<typename P::space>)
       return around_.begin_trial(all());
@@ -187,8 +188,7 @@ class System {
   /// Returns the state that, in addition to the fields, determines the order of neighbours.
   Memory memory() const { return around_.memory(all()); }
   /// Restores the state of another system with the same fields and all particles of the case. pour(kept) must set the
-  /// fields of the owned particles; `kept` lists the particles of each body that belong to this rank, or is empty if
-  /// all particles do.
+  /// fields of the owned particles; `kept` lists the particles of each body that stay here; none: all do.
   template <class Pour>
   void restore(Memory memory, Pour const& pour) {
     pour(around_.begin_restore(all(), memory));

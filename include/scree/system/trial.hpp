@@ -19,8 +19,8 @@ class Trial {
   long failures = 0;                     ///< number of failed trials so far
   bool stale = false, wrap_due = false;  ///< state of the system at the beginning of the trial
 
-  /// The number of particles on a rank, including walls, above which a check after each update costs less than a trial,
-  /// whose copies need a fifth of the memory.
+  /// The number of particles of a system, including walls, above which a check after each update costs less than a
+  /// trial, whose copies need a fifth of the memory.
   static constexpr int most = 1 << 22;
 
   void begin(AllBodiesRead<P> bodies, Watch&& watch) {

@@ -21,8 +21,7 @@ namespace scree::detail {
 ///     in trial -- become_certain(), the trial had failed         -->  certain, at the beginning of the trial
 ///
 /// Call become_certain() before code that reads the state (observers, inlets, components, the caller of run()). `State`
-/// has a `system` and a `clock`. If the case has several ranks, trials begin, fail and are repeated on all ranks
-/// together.
+/// has a `system` and a `clock`. If others share the case, trials begin, fail and are repeated on all of them together.
 template <class State>
 class Trials {
  public:
@@ -41,11 +40,11 @@ class Trials {
     } catch (ListsOutrun const&) {
       go_back();
     } catch (...) {
-      // With several ranks, an error may have occurred on one rank alone. Checks of the state follow a check of the
+      // In a shared case an error may have occurred in this part alone. Checks of the state follow a check of the
       // lists.
-      bool const several = state_.system.ranks().several();
-      if (several) state_.system.end_trial();
-      if (several || become_certain()) throw;
+      bool const is_shared = state_.system.whole_case().is_shared();
+      if (is_shared) state_.system.end_trial();
+      if (is_shared || become_certain()) throw;
     }
     return false;
   }
@@ -66,10 +65,10 @@ class Trials {
     try {
       return question();
     } catch (...) {
-      if (!state_.system.ranks().several())
+      if (!state_.system.whole_case().is_shared())
         become_certain();
       else if (state_.system.in_trial())
-        go_back();  // the error is on this rank alone, and the other ranks do not take part
+        go_back();  // the error is in this part alone, and the others do not take part
       throw;
     }
   }
