@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-// Particles at one time as numbers on the host, for a writer. It depends neither on devices nor on files.
+// Data of particles at one time on the host, for a writer. They depend neither on devices nor on files.
 namespace scree {
 
 /// One quantity of all particles: n * components numbers, particle by particle.
@@ -18,7 +18,7 @@ struct PointArray {
   std::string unit = {};
 };
 
-/// A step of VtkHdfSeries; see point_data_of().
+/// The data of one step of a VtkHdfSeries; see point_data_of().
 struct PointData {
   double time = 0;                                                 ///< s
   std::variant<std::vector<double>, std::vector<float>> xyz = {};  ///< 3 n coordinates, m
