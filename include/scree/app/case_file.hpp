@@ -25,10 +25,10 @@ struct Case {
   std::vector<std::string> notes = {};
 };
 
-/// A reader of sections into a struct of options. Later sections override earlier ones; errors are collected.
+/// A reader that reads sections into a struct of options. Later sections override earlier ones; errors are collected.
 class CaseReader {
  public:
-  /// Prepares to read into `options`, which still has the default values, as `standard` does.
+  /// Creates a reader into `options`, which must still have the default values, as `standard` does.
   CaseReader(OptionList const& list, void* options, void const* standard)
       : list_(list), options_(options), standard_(standard) {}
 

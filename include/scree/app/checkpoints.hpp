@@ -22,7 +22,7 @@ About about_checkpoints();
 
 /// The description of a table that a run writes row by row.
 struct Table {
-  std::string file;                ///< in the output directory
+  std::string file;                ///< name of the file in the output directory
   std::vector<CsvColumn> columns;  ///< the first column is the time
   double unit = 1;                 ///< unit of the times in the table, s
 };
@@ -101,7 +101,7 @@ class Checkpoints : public CheckpointPolicy {
   std::filesystem::path output_, from_;
   Notes notes_;
   std::map<std::string, std::function<void(Numbers const&)>> take_;
-  double time_ = 0;  // of the checkpoint, s
+  double time_ = 0;  // time of the checkpoint, s
   bool restored_ = false;
 };
 

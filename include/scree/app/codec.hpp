@@ -24,8 +24,8 @@ inline Range above(double from, double to = std::numeric_limits<double>::infinit
 /// options.
 struct About {
   std::string unit = {};     ///< SI; empty or "1": none
-  Range range = {};          ///< of a number, or of each number of an array
-  std::string meaning = {};  ///< one line
+  Range range = {};          ///< allowed range of a number, or of each number in an array
+  std::string meaning = {};  ///< meaning in one line
   std::string unset = {};    ///< for a std::optional: the meaning of a missing value
 };
 
@@ -56,7 +56,7 @@ std::string quoted(std::string_view text);
 std::string with_unit(About const& about);
 std::string allowed_integers(About const& about);
 std::string allowed_names(std::vector<std::string> const& names);
-/// The functions read_...() return a value. They throw Problem if it is not allowed.
+/// Returns an integer. Throws Problem if the value is not allowed, like all functions read_...().
 std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest);
 std::string allowed_array(int count, About const& about);
 std::vector<double> read_array(Value const& value, About const& about, int count);

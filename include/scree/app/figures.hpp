@@ -19,7 +19,7 @@ struct Figures {
   long lost = 0;  ///< particles beyond the walls and the initial material, see Solver::lost()
   std::map<std::string, long> steps_by_limit = {};
   std::string execution_space = {};
-  Packing packing = {};  ///< of the grains under pressure, see Solver::packing(); empty without a stress
+  Packing packing = {};  ///< packing of the grains under pressure, see Solver::packing(); empty without a stress
 };
 
 /// Returns the figures of a solver in its current state. All ranks call this together.
@@ -50,8 +50,8 @@ inline void add_counts(Json::Object& summary, Figures const& figures, double wal
 }
 
 /// Adds to a summary the number density of the grains under pressure, divided by the number density at rest. `packing`
-/// is the median over the grains with others on all sides; `packing_loosest` and `packing_densest` are the values for
-/// the loosest and the densest twentieth of these grains. All three are NaN if there are no such grains.
+/// is the median over the grains with neighbours on all sides; `packing_loosest` and `packing_densest` are the values
+/// for the loosest and the densest twentieth of these grains. All three are NaN if there are no such grains.
 inline void add_packing(Json::Object& summary, Packing const& packing) {
   auto const add = [&](char const* name, double value) {
     summary.emplace_back(name, packing.full > 0 ? value : std::numeric_limits<double>::quiet_NaN());

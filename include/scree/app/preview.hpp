@@ -20,10 +20,10 @@ struct PreviewWritten {};
 
 /// The content of a preview.
 struct StartState {
-  Snapshot snapshot;                        ///< before the first step
+  Snapshot snapshot;                        ///< state before the first step
   double spacing = 0;                       ///< m
   std::optional<std::string> refusal = {};  ///< the message of the failed start checks; empty: all passed
-  std::string warning = {};                 ///< of the law; empty: none
+  std::string warning = {};                 ///< warning of the law; empty: none
   double step = 0;                          ///< length of the first step, s; 0: not taken
   std::map<std::string, long> limits = {};  ///< the number of steps that each limit has set
 };

@@ -33,11 +33,11 @@ using AsCompiled = F;
 template <class P>
 using Ranks = decltype(SolverSettings<P>::ranks);
 
-/// Runs a case by simulate(run, space, ranks), where `ranks` is for the settings of its solver. An undivided case calls
-/// `simulate` once. A divided case calls it on all ranks at the same time, each in a process of mpirun or in a thread
-/// with its share of the threads of this process. The ranks call Run::begin(), the solver and all output together; only
-/// the first rank prints. Unless the run is quiet, it first prints the transport, its speed, and the host and device of
-/// each rank.
+/// Runs a case by simulate(run, space, ranks), where `ranks` belongs in the settings of its solver. An undivided case
+/// calls `simulate` once. A divided case calls it on all ranks at the same time, each in a process of mpirun or in a
+/// thread with its share of the threads of this process. The ranks call Run::begin(), the solver and all output
+/// together; only the first rank prints. Unless the run is quiet, it first prints the transport, its speed, and the
+/// host and device of each rank.
 ///
 ///     template <class P>
 ///     int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {

@@ -14,7 +14,7 @@ namespace scree::app {
 struct Option {
   std::string section, name;
   About about;
-  std::string allowed;                                                        ///< in words
+  std::string allowed;                                                        ///< allowed values in words
   std::ptrdiff_t at;                                                          ///< bytes from the start of the struct
   void (*read_member)(void* member, Value const& value, About const& about);  ///< sets the member; throws Problem
   std::string (*text_of_member)(void const* member);                          ///< the member as TOML
@@ -77,7 +77,7 @@ class Schema {
   class InSection {
    public:
     using Part = S T::*;
-    /// Prepares to add options of the struct `part`, a member of the options, under the name of a section.
+    /// Creates an object that adds options of the struct `part`, a member of the options, under the name of a section.
     InSection(Schema& schema, std::string name, Part part) : schema_(schema), name_(std::move(name)), part_(part) {}
 
     /// Adds an option "section.name". The type and the initialiser of `member` are the type and the default of the

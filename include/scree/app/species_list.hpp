@@ -21,7 +21,7 @@ inline constexpr int most_species = 5;
 /// Grain sizes in any order. Without diameters there is no list, and the program uses its two sizes.
 struct SpeciesList {
   std::vector<double> diameters = {};  ///< m
-  std::vector<double> shares = {};     ///< of the volume of all grains
+  std::vector<double> shares = {};     ///< share of each size in the volume of all grains
 
   /// Whether there is no list.
   bool empty() const { return diameters.empty(); }

@@ -61,8 +61,8 @@ struct AnyRun {
   std::shared_ptr<OutputDirectory const> directory;
   std::shared_ptr<Preview const> preview = {};
 };
-/// Takes the directory of a run. A checkpoint from which the run continues must be complete; it is therefore read here,
-/// before anything that takes time, and again by the run.
+/// Acquires the output directory of a run. A checkpoint from which the run continues must be complete; it is therefore
+/// read here, before anything that takes time, and again by the run.
 std::shared_ptr<OutputDirectory const> take_directory(OutputRequest request);
 
 struct AnyCase {
@@ -80,8 +80,8 @@ void note_how_to_continue(int signal, CommandLine const& line, OptionList const&
 
 }  // namespace detail
 
-/// Prepares a run: reads the case that a command line names, and takes the output directory, whose results remain until
-/// Run::begin(). Returns nothing if there is nothing to run. Throws CaseError or std::runtime_error.
+/// Prepares a run: reads the case that a command line names, and acquires the output directory, whose results remain
+/// until Run::begin(). Returns nothing if there is nothing to run. Throws CaseError or std::runtime_error.
 template <class T>
 std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Program const& program) {
   T options = schema.standard();

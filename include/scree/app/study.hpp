@@ -14,7 +14,7 @@ namespace scree::app::detail {
 /// same time.
 class Study {
  public:
-  /// Takes the directory of the study. Throws CaseError or std::runtime_error.
+  /// Acquires the directory of the study. Throws CaseError or std::runtime_error.
   Study(CommandLine const& line, OptionList const& list, void const* standard, Program const& program);
   ~Study();
 
@@ -29,7 +29,7 @@ class Study {
 
   /// Whether an earlier run of a member was completed.
   bool finished(std::size_t member) const;
-  /// Takes the directory of a member and, if it contains a checkpoint, sets the options to continue from there.
+  /// Acquires the directory of a member and, if it contains a checkpoint, sets the options to continue from there.
   AnyRun begin(std::size_t member, void* options);
   /// Runs a member and records its outcome in the table and in its directory, so that a continued study can skip it.
   void run(std::size_t member, std::function<int()> const& body);

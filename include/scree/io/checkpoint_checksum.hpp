@@ -28,7 +28,7 @@ constexpr std::array<std::array<std::uint64_t, 256>, 8> crc64_tables() {
 class Checksum {
  public:
   void add(std::span<std::byte const> bytes) {
-    // Eight bytes at a time, because a checkpoint can have gigabytes.
+    // Eight bytes at a time, because a checkpoint can be gigabytes large.
     for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
       for (unsigned k = 0; k < 8; ++k) state_ ^= std::uint64_t(bytes[k]) << (8 * k);
       std::uint64_t next = 0;

@@ -106,7 +106,7 @@ inline Handle create_group(hid_t where, char const* name) {
   return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
 }
 
-/// Returns properties for creating a dataset without time stamps, so that equal runs write equal bytes.
+/// Returns properties for creating a dataset without time stamps, so that identical runs write identical files.
 inline Handle without_times() {
   Handle creation{check(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose};
   check(H5Pset_obj_track_times(creation, false));

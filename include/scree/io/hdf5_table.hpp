@@ -29,7 +29,7 @@ hid_t native() {
 
 /// The storage format of a table.
 struct TableFormat {
-  hid_t type;               ///< how a number is stored
+  hid_t type;               ///< HDF5 type of a stored number
   hsize_t columns = 0;      ///< 0: a dataset of rank one
   hsize_t chunk_rows = 64;  ///< rows stored (and compressed) together
   int deflate = 0;          ///< zlib level 0 (off) to 9

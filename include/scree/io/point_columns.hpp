@@ -21,7 +21,7 @@ namespace scree::detail {
 struct FieldOfPoints {
   std::string_view prefix, name, unit;
   Form form;
-  int components, dim;  // `dim`: of the simulation
+  int components, dim;  // `dim`: dimensions of the simulation
   ElementType element;
 };
 

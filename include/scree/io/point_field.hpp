@@ -14,14 +14,14 @@
 
 namespace scree {
 
-/// One quantity of all particles: n * components numbers, particle by particle.
+/// One quantity of n particles: n * components numbers, particle by particle.
 struct PointField {
   std::string name;    ///< the name in ParaView; must not be empty or contain '/' or '.'
   int components = 1;  ///< 1: scalar, 3: vector, 6: symmetric tensor, 9: full tensor
   std::variant<std::span<double const>, std::span<float const>, std::span<std::int32_t const>> values;
   std::string unit = {};  ///< written as the attribute `units` unless empty
 };
-/// Positions of all particles: 3 n coordinates, particle by particle.
+/// The positions of n particles: 3 n coordinates, particle by particle.
 using PointCoordinates = std::variant<std::span<double const>, std::span<float const>>;
 
 namespace detail {

@@ -39,8 +39,8 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
 
 }  // namespace detail
 
-/// A time series of particles in one VTKHDF file (PolyData, one vertex per particle), which ParaView >= 5.12 and
-/// VTK >= 9.3 open with its times.
+/// A time series of particles in one VTKHDF file (PolyData, one vertex per particle). ParaView >= 5.12 and VTK >= 9.3
+/// open the file with its times.
 ///
 ///     VtkHdfSeries series("out/particles.vtkhdf", {.provenance = {{"case", text}}});
 ///     series.append(t, xyz, {{.name = "concentration", .values = c}, {.name = "normal", .components = 3, .values =
@@ -220,7 +220,7 @@ class VtkHdfSeries {
   VtkHdfOptions options_;
   detail::StepPosition step_;
   std::vector<detail::FieldLayout> columns_;
-  std::vector<std::string> names_;  // of a continued series, until its next step
+  std::vector<std::string> names_;  // names of fields of a continued series, until its next step
   std::size_t chunk_rows_ = 0;
 };
 

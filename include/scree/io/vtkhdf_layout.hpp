@@ -37,8 +37,8 @@ struct StepPosition {
   double time = 0;
   std::int64_t point = 0;      // first row in Points and PointData
   std::int64_t part = -1;      // the part that holds the vertices
-  std::int64_t cell = 0;       // its first vertex
-  std::int64_t part_size = 0;  // its number of vertices
+  std::int64_t cell = 0;       // first vertex of this part
+  std::int64_t part_size = 0;  // number of vertices in this part
 
   void begin_part(std::int64_t n) {
     cell += part_size;
@@ -103,7 +103,7 @@ inline void create_groups(hid_t file) {
 
 struct TableOptions {
   std::size_t chunk_rows;
-  hid_t real;  ///< how positions are stored
+  hid_t real;  ///< HDF5 type of stored positions
   VtkHdfOptions const* options;
 };
 
@@ -174,7 +174,7 @@ inline void write_part(hid_t root, StepPosition const& step) {
     auto const cells = used ? step.part_size : 0;
     write_numbers(group, "NumberOfCells", step.part, {cells});
     write_numbers(group, "NumberOfConnectivityIds", step.part, {cells});
-    // In every part, Offsets has one entry more than there are cells.
+    // In every part, Offsets has one more entry than there are cells.
     auto const first = static_cast<hsize_t>((used ? step.cell : 0) + step.part);
     hdf5::write_rows(group, "Offsets", first, offsets.first(static_cast<std::size_t>(cells) + 1));
     if (used) hdf5::write_rows(group, "Connectivity", static_cast<hsize_t>(step.cell), offsets.first(ids.size() - 1));

@@ -33,7 +33,7 @@ struct DoucetIndex {
   double published = std::numeric_limits<double>::quiet_NaN();  ///< the published index, for untransformed coordinates
   Vec<Dim, double> direction = zero<Vec<Dim, double>>();        ///< unit vector of the largest correlation
   Mat<Dim, double> correlations = zero<Mat<Dim, double>>();     ///< of each current with each initial coordinate
-  double share = 0;  ///< of the current volume of the material that was present at the mark
+  double share = 0;  ///< share of the current volume that was present at the mark
 };
 
 namespace detail {

@@ -12,10 +12,10 @@ namespace scree {
 /// The separation of the kinds of grains, evaluated particle by particle.
 template <int Kinds>
 struct SegregationIntensity {
-  double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: separated; NaN if there is only one kind
+  double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: separated; NaN for a single kind
   Vec<Kinds, double> mean = zero<Vec<Kinds, double>>();      ///< share of each kind in the material
-  Vec<Kinds, double> variance = zero<Vec<Kinds, double>>();  ///< of each share
-  double volume = 0;                                         ///< of the material, m^dim
+  Vec<Kinds, double> variance = zero<Vec<Kinds, double>>();  ///< variance of each share
+  double volume = 0;                                         ///< volume of the material, m^dim
 };
 
 namespace detail {

@@ -92,8 +92,8 @@ using material_of = std::remove_cvref_t<decltype(std::declval<S const&>().materi
 
 }  // namespace detail
 
-/// The kinds of grains that the material of a solver consists of: TwoSizes or SpeciesOf<N>; detail::NoKinds if the
-/// material carries no concentration.
+/// The kinds of grains in the material of a solver: TwoSizes or SpeciesOf<N>; detail::NoKinds if the material carries
+/// no concentration.
 template <class S>
 using kinds_in = typename detail::kinds_among<typename detail::material_of<S>::fields>::type;
 

@@ -22,10 +22,10 @@ struct LaceySettings {
 
 /// Lacey's index, with the variances from which it is computed.
 struct LaceyIndex {
-  double index = std::numeric_limits<double>::quiet_NaN();  ///< 0: separated, 1: mixed at random; NaN for only one kind
-  double variance = 0;                                      ///< s^2 of the samples, summed over the kinds
-  double separated = 0;                                     ///< s_0^2 of separated kinds
-  double random = 0;                                        ///< s_r^2 of a random mixture
+  double index = std::numeric_limits<double>::quiet_NaN();  ///< 0: separated, 1: mixed at random; NaN for a single kind
+  double variance = 0;                                      ///< variance s^2 of the samples, summed over the kinds
+  double separated = 0;                                     ///< variance s_0^2 of separated kinds
+  double random = 0;                                        ///< variance s_r^2 of a random mixture
   int samples = 0;
 };
 

@@ -75,7 +75,7 @@ struct NeighbourMixing {
 
 /// The share of neighbours of a different kind.
 struct NeighbourIndex {
-  double value = std::numeric_limits<double>::quiet_NaN();  ///< 1: mixed, 0: separated; NaN for only one kind
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< 1: mixed, 0: separated; NaN for a single kind
   double unlike = 0;                                        ///< mean of `unlike_neighbours`
 };
 

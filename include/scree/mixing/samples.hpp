@@ -20,9 +20,9 @@ namespace scree {
 /// A sample: the content of one cell of a grid.
 template <int Dim, int Kinds>
 struct MixtureSample {
-  Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< of the cell, m
-  double volume = 0;                                       ///< of its particles, m^dim
-  Vec<Kinds, double> shares = zero<Vec<Kinds, double>>();  ///< of each kind in this volume
+  Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< centre of the cell, m
+  double volume = 0;                                       ///< volume of its particles, m^dim
+  Vec<Kinds, double> shares = zero<Vec<Kinds, double>>();  ///< share of each kind in this volume
 };
 
 namespace detail {
@@ -52,8 +52,8 @@ struct CellKey {
   }
 };
 
-/// A kernel that adds the terms of each particle to the sums of its cell in a hash table. The entry of a cell is the
-/// first one that is free or has the key of the cell, searched from the hash of the key on. The index of the entry
+/// A kernel that adds the terms of each particle to the sums of its cell in a hash table. The search for the entry of a
+/// cell begins at the hash of its key and ends at the first entry that is free or has this key. The index of the entry
 /// depends on the order of the threads; its content does not.
 template <class P, class Function>
 struct SumInCells {

@@ -19,13 +19,13 @@ namespace scree {
 /// An inlet at which particles enter in layers, each layer one spacing behind the previous one, all with the same
 /// velocity.
 ///
-/// If the inlet pushes, the particles within one support before the domain are held, that is, they keep their velocity.
-/// Whenever the column has advanced by one spacing, a layer is created behind it and the foremost held layer is
-/// released (after Lastiwka, Basa & Quinlan 2009, without extrapolation from the domain). If the inlet does not push,
-/// layers are released where they are created, for instance as grains that fall into the domain.
+/// If the inlet pushes, the particles within one support upstream of the domain are held, that is, they keep their
+/// velocity. Whenever the column has advanced by one spacing, a layer is created behind it and the foremost held layer
+/// is released (after Lastiwka, Basa & Quinlan 2009, without extrapolation from the domain). If the inlet does not
+/// push, layers are released where they are created, for instance as grains that fall into the domain.
 template <int Dim>
 struct Inlet {
-  std::string name = "inlet";  ///< for the ledger and messages
+  std::string name = "inlet";  ///< name in the ledger and in messages
   /// One layer of points (m) perpendicular to the velocity. If the inlet pushes, this is the layer next to the material
   /// at the start. The column extends behind this layer by one support, and so must the walls that guide the column.
   std::vector<Vec<Dim, double>> layer;

@@ -17,7 +17,7 @@ struct Ledger {
   long entered = 0, left = 0;          ///< through inlets and drains
   long added = 0, removed = 0;         ///< with add() and remove()
   long present = 0;                    ///< now
-  std::vector<Passed> inlets, drains;  ///< what has passed each inlet or drain
+  std::vector<Passed> inlets, drains;  ///< particles that have passed each inlet or drain
 
   /// Whether no particle was lost or counted twice.
   bool balances() const { return at_start + entered + added == present + left + removed; }

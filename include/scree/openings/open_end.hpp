@@ -17,9 +17,9 @@ namespace scree {
 /// return through an open end.
 template <int Dim>
 struct OpenEnd {
-  std::string name = "end";                            ///< for the ledger and messages
-  Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< of the plane, m
-  Vec<Dim, double> normal = Vec<Dim, double>::Zero();  ///< out of the domain, of any length
+  std::string name = "end";                            ///< name in the ledger and in messages
+  Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< point of the plane, m
+  Vec<Dim, double> normal = Vec<Dim, double>::Zero();  ///< points out of the domain; of any length
 };
 
 namespace detail {

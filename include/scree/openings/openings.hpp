@@ -20,7 +20,7 @@ namespace scree {
 
 /// Settings of a drain.
 struct Drain {
-  std::string name = "drain";  ///< for the ledger and messages
+  std::string name = "drain";  ///< name in the ledger and in messages
   /// The distance (m) that a particle may move inside the drain before it is removed; 0: one support. Drains are
   /// emptied after neighbour-list builds, so a particle may move by half the skin in any case.
   double reach = 0;
@@ -70,7 +70,7 @@ class Openings final : public Component<S> {
     long const builds = half_skin > 0 ? std::max(1L, long(reach / half_skin) - 1) : 0;
     drains_.push_back({builds, std::move(empty), {drain.name}});
   }
-  /// Adds an open end, which is a drain with given values on the particles before it.
+  /// Adds an open end, which is a drain with given values on the particles in front of it.
   void add(OpenEnd<dim> const& end, double support, double half_skin, Keep keep, Empty empty) {
     double const length = end.normal.norm();
     check_setting(length > 0 && std::isfinite(length), "length of the normal of an open end", length, "above 0");
@@ -87,7 +87,7 @@ class Openings final : public Component<S> {
     for (auto const& inlet : inlets_)
       if (!inlet.open || inlet.column.layers_at(time - inlet.opened) > inlet.layers) return true;
     for (auto const& drain : drains_)
-      if (builds >= checked_ + drain.builds || builds < checked_) return true;  // fewer builds: of another search
+      if (builds >= checked_ + drain.builds || builds < checked_) return true;  // fewer builds: another search
     return false;
   }
   /// Empties all drains and feeds all inlets whenever one of them is due, because each change of particles costs a
@@ -206,7 +206,7 @@ class Openings final : public Component<S> {
           throw std::invalid_argument("scree: there is an inlet or drain with the name '" + name +
                                       "' already: give another `.name`");
   }
-  /// Whether there are no inlets and drains, because the first one was rejected.
+  /// Whether there are neither inlets nor drains, because the first one was rejected.
   bool are_none() const { return inlets_.empty() && drains_.empty(); }
   /// Sets the given values on particles beyond open ends.
   void keep(State& state) const {

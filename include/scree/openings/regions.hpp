@@ -12,11 +12,11 @@
 // Conditions on the position of a particle, for drains and for Solver::remove().
 namespace scree {
 
-/// The region beyond a plane, on the side of its normal.
+/// The region beyond a plane, on the side to which its normal points.
 template <int Dim>
 struct Beyond {
   using reads = Fields<Position>;
-  Vec<Dim, double> point;   ///< of the plane, m
+  Vec<Dim, double> point;   ///< point of the plane, m
   Vec<Dim, double> normal;  ///< of any length above 0
 
   /// Throws std::invalid_argument if the point and the normal do not define a plane.

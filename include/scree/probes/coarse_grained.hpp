@@ -121,7 +121,7 @@ auto coarse_values(S const& solver, CoarseGrid<S::policy::dim> const& grid, Coar
 }  // namespace detail
 
 /// Returns fields of the material at the points of a grid, averaged with the kernel:
-/// $X = \sum_j X_j V_j W_j/\sum_j V_j W_j$ over the particles within the support, with `width` of the grid as the
+/// $X = \sum_j X_j V_j W_j/\sum_j V_j W_j$ over the particles within the support, with the `width` of the grid as the
 /// smoothing length (Shepard 1968). This mean is exact for constant fields, even at walls and surfaces, and of first
 /// order there. With `linear`, the default, X is the value at the point of the linear function that best fits the X_j
 /// with the weights $V_j W_j$. This fit is exact for linear fields everywhere, even for disordered particles. The fit

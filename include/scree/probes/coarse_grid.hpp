@@ -23,7 +23,7 @@ struct CoarseGrid {
   Box<Dim> box;                                      ///< m
   Vec<Dim, double> cell = Vec<Dim, double>::Zero();  ///< edges of a cell, m; the last cells may extend beyond the box
   double width = 0;                                  ///< smoothing length of the kernel, m; 0: as in the solver
-  bool linear = true;  ///< exact for linear fields; false: for constant fields only; see coarse_grained()
+  bool linear = true;  ///< true: exact for linear fields; false: only for constant fields; see coarse_grained()
 
   /// Returns the number of cells along each axis.
   std::array<int, std::size_t(Dim)> cells() const {

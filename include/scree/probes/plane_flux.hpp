@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// Volumes that have passed a plane, m^dim (in 2D per metre of depth).
+/// Volumes that have passed a plane, m^dim (in 2D, per metre of depth).
 struct PassedVolume {
   double forward = 0;   ///< along the normal
   double backward = 0;  ///< against the normal

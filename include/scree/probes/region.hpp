@@ -11,8 +11,8 @@ namespace scree {
 template <class Value>
 struct RegionMean {
   Value value;         ///< mean weighted by volume; NaN if there is no particle
-  double volume = 0;   ///< of the particles in the region, m^dim
-  long particles = 0;  ///< their number in the region
+  double volume = 0;   ///< volume of the particles in the region, m^dim
+  long particles = 0;  ///< number of particles in the region
 };
 
 /// Returns the mean of a field of the material over the particles whose centres are in a shape (m), weighted by volume.

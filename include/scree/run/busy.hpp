@@ -21,7 +21,8 @@ Space default_instance() {
   return Space();
 }
 
-/// A flag for whether a solver is advancing. The flag moves with the solver, so a solver without a flag was moved from.
+/// A flag that is set while a solver is advancing. The flag moves with the solver, so a solver without a flag was moved
+/// from.
 class Busy {
  public:
   /// A guard that sets the flag as long as it exists. Its constructor throws std::logic_error if another guard has set

@@ -48,7 +48,7 @@ class CheckpointPolicy {
   /// since the checkpoint was written. Throws std::runtime_error if the file cannot be read.
   Snapshot read(std::filesystem::path const& file, std::function<void(std::string const&)> const& report = {}) const;
 
-  /// Stores the numbers that a function returns in each checkpoint, where numbers_in() finds them by name. Throws
+  /// Registers a function whose numbers are stored in each checkpoint under a name, for numbers_in(). Throws
   /// std::invalid_argument if a file cannot store the name.
   void keep(std::string const& name, std::function<std::vector<double>()> numbers);
 

@@ -98,7 +98,7 @@ template <class S>
 class Components : public AttachedComponents {
  public:
   void attach(std::shared_ptr<Component<S>> component) { AttachedComponents::attach(std::move(component)); }
-  /// Whether a component has not started, or is due and has not been asked after this step.
+  /// Whether a component has not started yet, or is due and has not been called after this step.
   bool due(S const& solver) const {
     for (auto const& each : all_)
       if (!each.started || (each.asked_after != solver.steps() && of(each).is_due(solver))) return true;
@@ -108,7 +108,7 @@ class Components : public AttachedComponents {
   /// others.
   void act(S& solver) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      auto const kept = all_[k].component;  // also if the component replaces the solver
+      auto const kept = all_[k].component;  // kept alive even if the component replaces the solver
       auto& component = of(all_[k]);
       if (!all_[k].started) component.start(solver), all_[k].started = true;
       if (all_[k].asked_after == solver.steps()) continue;

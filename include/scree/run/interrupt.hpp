@@ -12,10 +12,10 @@ namespace scree {
 
 /// A guard that catches signals. As long as it exists, Ctrl-C, SIGTERM, SIGHUP (a closed terminal), SIGXCPU (a time
 /// limit) and SIGUSR1 (a warning that schedulers can send before their limit) only set a flag, so that a run can write
-/// a checkpoint and stop. A second Ctrl-C has its usual effect; repeating one of the other signals has none, because
-/// job schedulers and timeout(1) send several. Signals that were ignored before (as in a background job) remain
-/// ignored. Guards that exist at the same time, for instance in several runs of one program, share one flag, which the
-/// first guard clears.
+/// a checkpoint and stop. A second Ctrl-C has its usual effect; repetitions of the other signals have none, because job
+/// schedulers and timeout(1) send several. Signals that were ignored before (as in a background job) remain ignored.
+/// Guards that exist at the same time, for instance in several runs of one program, share one flag, which the first
+/// guard clears.
 class Interrupt {
  public:
   /// Begins to catch signals.

@@ -55,7 +55,7 @@ class Progress {
   }
 
   /// Sets the value and the number of steps at the beginning of a run that continues from a checkpoint, so that the
-  /// rate and the remaining time include only the steps that follow. run_with() calls this function.
+  /// rate and the remaining time refer only to the steps that follow. run_with() calls this function.
   void begin(double value, long steps) {
     if (begun_) return;
     begun_ = true;

@@ -17,7 +17,7 @@ std::vector<double> numbers_in(Snapshot const& snapshot, std::string const& name
 
 namespace detail {
 
-/// Returns the lines of a text, without comments (#) and blank lines, each with its [section] in front.
+/// Returns the lines of a text, without comments (#) and blank lines, each preceded by its [section].
 std::vector<std::string> lines_with_sections(std::string const& text);
 
 }  // namespace detail
