@@ -48,7 +48,7 @@ class Checkpoints : public CheckpointPolicy {
   using Numbers = std::vector<double>;
 
   /// Creates the checkpoints of a run, with `interval` seconds of wall time between two of them. `from` is the
-  /// checkpoint to start from; empty: none. Throws as CheckpointPolicy does.
+  /// checkpoint from which the run starts; empty: none. Throws as CheckpointPolicy does.
   template <class T>
   Checkpoints(Run<T> const& run, double interval, std::filesystem::path from = {})
       : Checkpoints(options_of(run.output, run.case_text, interval), std::move(from)) {}

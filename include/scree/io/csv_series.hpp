@@ -48,7 +48,7 @@ class CsvSeries {
   static CsvSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                              std::vector<CsvColumn> const& columns);
 
-  /// Throws std::runtime_error if continued() would throw it because of the content of the file.
+  /// Throws the std::runtime_error that continued() would throw because of the content of the file.
   static void check(std::filesystem::path const& from, std::vector<CsvColumn> const& columns);
 
   /// Appends a row of one number per column.

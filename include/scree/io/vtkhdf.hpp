@@ -69,7 +69,7 @@ class VtkHdfSeries {
     return {from, time, std::move(path), std::move(options)};
   }
 
-  /// Throws std::runtime_error if continued() would throw it because of the content of the file.
+  /// Throws the std::runtime_error that continued() would throw because of the content of the file.
   static void check(std::filesystem::path const& path) {
     attempt(path, "read it", [&] {
       hdf5::Handle const file = open(path, H5F_ACC_RDONLY);

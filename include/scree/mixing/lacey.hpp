@@ -16,7 +16,7 @@ struct LaceySettings {
   double cell = 0;    ///< edge of the cells, m; 0: four spacings
   double fill = 0.5;  ///< a cell is a sample if its particles fill at least this share of it
   /// The bed volume per grain of each kind (m^dim): the volume of a grain divided by the solid fraction. One number for
-  /// all kinds, or one for each kind. If empty, samples have infinitely many grains.
+  /// all kinds, or one for each kind. If `grains` is empty, samples have infinitely many grains.
   std::vector<double> grains = {};
 };
 

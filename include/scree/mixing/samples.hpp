@@ -13,8 +13,8 @@
 #include <map>
 #include <vector>
 
-// The content of each cell of a grid: the samples of a mixture. Cells without particles take no memory, so a particle
-// that is far away from the others costs no more than they do.
+// The content of each cell of a grid: the samples of a mixture. Cells without particles take no memory, so particles
+// far away from the others cost nothing extra.
 namespace scree {
 
 /// A sample: the content of one cell of a grid.
@@ -131,10 +131,10 @@ std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function co
 
 }  // namespace detail
 
-/// Returns the content of the material of a solver in the cells of a grid with edges of `edge` (m) and corners at
-/// multiples of `edge`: all cells that contain particles, in the order of their keys. A particle belongs to the cell of
-/// its centre. The result is bitwise identical on any number of ranks (WholeBody). Throws std::invalid_argument if
-/// `edge` is less than the spacing, and std::runtime_error if a value is not finite.
+/// Returns the content of the cells of a grid for the material of a solver: all cells that contain particles, in the
+/// order of their keys. The cells have edges of `edge` (m) and corners at multiples of `edge`. A particle belongs to
+/// the cell of its centre. The result is bitwise identical on any number of ranks (WholeBody). Throws
+/// std::invalid_argument if `edge` is less than the spacing, and std::runtime_error if a value is not finite.
 template <class S, class Kinds>
 auto samples_of(S const& solver, double edge, Kinds const& kinds) {
   using P = typename detail::material_of<S>::policy;
