@@ -43,7 +43,7 @@ class Surroundings {
     xx_ += x * x, yy_ += y * y, zz_ += z * z, xy_ += x * y, xz_ += x * z, yz_ += y * z;
     count_ += 1;
   }
-  /// Adds the neighbours of another object, each `times` times.
+  /// Adds the neighbours of another object, multiplied by `times`.
   SCREE_FN void add(Surroundings const& others, double times) {
     x_ += times * others.x_, y_ += times * others.y_, z_ += times * others.z_, length_ += times * others.length_;
     xx_ += times * others.xx_, yy_ += times * others.yy_, zz_ += times * others.zz_;

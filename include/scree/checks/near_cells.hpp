@@ -17,8 +17,8 @@
 // found need to be copied.
 namespace scree::detail {
 
-/// Whether a particle may be within the width of a cell of one of the points: true for all that are, and for some
-/// others.
+/// Whether a particle may be within the width of a cell of one of the points: true for all particles within it and for
+/// some others.
 struct MaybeNear {
   using reads = Fields<Position>;
   Span<std::uint32_t const> marks;  // a bit for each value of the hash of a cell
@@ -47,8 +47,8 @@ struct MaybeNear {
 /// Returns the marks of the cells around points.
 [[gnu::cold]] std::vector<std::uint32_t> marks_around(std::vector<PointsInCells::Point> const& points, double width);
 
-/// Returns the numbers of the owned particles of a body that may be within a width (m) of some points: of all that are,
-/// and of some others.
+/// Returns the numbers of the owned particles of a body that may be within a width (m) of some points. All that are
+/// within it are included, and some others.
 template <class P>
 [[gnu::cold]] Array<P, int const> those_near(std::vector<PointsInCells::Point> const& points, double width,
                                              AnyParticles<P> const& body) {

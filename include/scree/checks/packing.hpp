@@ -19,16 +19,16 @@ namespace scree {
 /// The packing of the material: medians over its particles that are surrounded by others.
 struct Packing {
   long particles = 0;      ///< of the material
-  long full = 0;           ///< number of these that are surrounded by others
-  double density = 1;      ///< median of sum V W over the latter, at most 4; 1 if there are none
-  double loose = 1;        ///< 5 % quantile of sum V W over them
-  double dense = 1;        ///< 95 % quantile of sum V W over them, at most 4
-  double by_number = 1;    ///< median over them of sum V W with V = spacing^dim, at most 4; 1 if there are none
+  long full = 0;           ///< number of particles of the material that are surrounded by others
+  double density = 1;      ///< median of sum V W over the `full` particles, at most 4; 1 if there are none
+  double loose = 1;        ///< 5 % quantile of sum V W over the `full` particles
+  double dense = 1;        ///< 95 % quantile of sum V W over the `full` particles, at most 4
+  double by_number = 1;    ///< median of sum W spacing^dim over the `full` particles, at most 4; 1 if there are none
   double nearest = 1;      ///< median over all particles of nearest-neighbour distance over spacing, at most 4
   double volume = 1;       ///< median over all particles of volume over spacing^dim, at most 4
   long at_walls = 0;       ///< number of particles that touch walls and have neighbours on all other sides
   long facing = 0;         ///< number of particles that have walls on the side that the material leaves empty
-  long facing_little = 0;  ///< number of these with less than 0.6 of the volume of walls that fills that side
+  long facing_little = 0;  ///< number of `facing` particles with less than 0.6 of the wall that fills that side
   double walls = 1;  ///< median at walls of sum V W over walls, relative to what the material leaves of 1, at most 4
   double fill_of_walls = 1;  ///< median over wall particles of volume over the dim-th power of the distance to
                              ///< the nearest other wall particle (at most 3 spacings), at most 4
@@ -40,10 +40,10 @@ struct Packing {
   /// 2.5 % (in the plane) or by 1.7 % (in space) changes the median by 5 %. Volumes may differ from spacing^dim by up
   /// to a quarter if the positions alone fit the spacing: this occurs in fillings with a given mass. In layers of few
   /// rows on a lattice along a slope, where less than half of the particles are surrounded by others, the steps of the
-  /// surface lower the median by number to 0.92: 0.9 to 1.05 is allowed if nearest neighbours are one spacing apart to
-  /// within 1 %. Thinner layers, where less than one particle in twenty is surrounded by others, are judged by the
-  /// distance of nearest neighbours: 1 on a square lattice, 1.12 in close packing, 0.73 with jitter; 0.7 to 1.2 is
-  /// allowed, if the median of the volumes is within a quarter of spacing^dim.
+  /// surface lower `by_number` to 0.92: 0.9 to 1.05 is then allowed if the median distance of nearest neighbours is
+  /// within 1 % of the spacing. Thinner layers, where less than one particle in twenty is surrounded by others, are
+  /// judged by the distance of nearest neighbours: 1 on a square lattice, 1.12 in close packing, 0.73 with jitter; 0.7
+  /// to 1.2 is allowed, if the median of the volumes is within a quarter of spacing^dim.
   bool may_start() const {
     if (is_thin()) return is_near_enough() && fits(volume, 0.25);
     return fits(density, 0.05) || ((fits(by_number, 0.05) || is_stepped()) && fits(density, 0.25));
@@ -71,10 +71,10 @@ struct Packing {
   bool is_thin() const { return full == 0 || 20 * full < particles; }
   /// Whether there are enough particles to judge the packing.
   bool can_tell() const { return full > 0 || particles >= 30; }
-  /// Whether loaded grains fill about the space that they had at a start: the median of sum V W, with their volumes or
-  /// with spacing^dim, lies between 0.85 and 1.1. The value with spacing^dim is also sufficient, because volumes may
-  /// differ from the space of the particles by a quarter at a start, see may_start(). Both values lie between 0.95 and
-  /// 1.05 in beds and flows whose pressure follows the packing.
+  /// Whether loaded grains fill approximately the space that they had at a start: the median of sum V W, with their
+  /// volumes or with spacing^dim, lies between 0.85 and 1.1. One of the two values is enough, because volumes may
+  /// differ by a quarter from spacing^dim at a start, see may_start(). Both values lie between 0.95 and 1.05 in beds
+  /// and flows whose pressure follows the packing.
   bool keeps_volume() const { return full < 30 || is_usual(density) || is_usual(by_number); }
   /// Whether nearest neighbours are 0.7 to 1.2 spacings apart.
   bool is_near_enough() const { return nearest >= 0.7 && nearest <= 1.2; }
@@ -115,13 +115,13 @@ class PackingOfMany {
 
 }  // namespace detail
 
-/// Returns the message about a fault in the packing of particles with a spacing (m) in 2 or 3 dimensions, which begins
-/// with `where`; "" if there is no fault.
+/// Returns the message, which begins with `where`, about a fault in the packing of particles with a spacing (m) in 2 or
+/// 3 dimensions; "" if there is no fault.
 [[gnu::cold]] std::string fault_of_packing(Packing const& packing, double spacing, int dimensions,
                                            std::string const& where);
 
-/// Returns the message about a fault in the packing of walls with a spacing (m), which begins with `where`; "" if there
-/// is no fault.
+/// Returns the message, which begins with `where`, about a fault in the packing of walls with a spacing (m); "" if
+/// there is no fault.
 [[gnu::cold]] std::string fault_of_walls(Packing const& packing, double spacing, std::string const& where);
 
 }  // namespace scree

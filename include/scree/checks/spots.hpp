@@ -184,7 +184,7 @@ struct FillBuckets {
     numbers(start(bucket) + Kokkos::atomic_fetch_add(&filled(bucket), 1)) = i;
   }
 };
-/// Copies the spots with these numbers, in the order of the numbers.
+/// Copies the spots with the given numbers, in the order of the list of numbers.
 struct PickSpots {
   Span<Spot const> spots;
   Span<int const> numbers;

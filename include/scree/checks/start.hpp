@@ -44,7 +44,7 @@ struct PlacedParticles {
     make_room(volumes, x.size());
     for (auto const v : order.of(body.here().to_host(volume, which...))) volumes.push_back(double(v));
   }
-  /// Adds points that have one volume each (m^dim).
+  /// Adds points that all have the same volume (m^dim).
   template <class X>
   [[gnu::cold]] void add(std::vector<X> const& points, double volume_of_each) {
     add_places(points);

@@ -31,13 +31,14 @@ struct NamedParticle {
   std::array<double, 3> x;  // m
 };
 
-/// The faults for which check_start() refuses a start. A function that refuses it throws std::invalid_argument.
+/// The faults for which check_start() refuses a start. Functions that refuse a start throw std::invalid_argument.
 struct StartFaults {
   double spacing;  // m
   int dimensions;
   StartWords words = {};
 
-  /// Refuses a particle for which Crowding::is_wrong() is true. `neighbour` is its nearest neighbour, if it has one.
+  /// Refuses a start because of a particle for which Crowding::is_wrong() is true. `neighbour` is its nearest
+  /// neighbour, if it has one.
   [[noreturn, gnu::cold]] void refuse(NamedParticle const& i, Crowding const& at, std::size_t neighbour,
                                       bool is_of_wall) const;
   /// Whether check_start() refuses a start in which this number of particles have no neighbour within 1.5 spacings.

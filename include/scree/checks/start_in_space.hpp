@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-// check_start() and packing_of() in the execution space that has the particles.
+// The checks of check_start() and packing_of() in the execution space that has the particles.
 namespace scree::detail {
 
 /// A reduction that writes the packing around all particles of the material to arrays. Values that do not belong to a
@@ -93,8 +93,8 @@ struct FillsOfWalls {
   }
 };
 
-/// Writes, in ascending order, the numbers of the spots that are near a point, or have an image near it: along each
-/// axis within 1.01 widths of a cell.
+/// Writes, in ascending order, the numbers of the spots that are within 1.01 cell widths of a point along each axis, or
+/// have a periodic image there.
 struct NumbersNear {
   SpotsView cells;
   Span<Spot const> spots;

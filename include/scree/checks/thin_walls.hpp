@@ -19,8 +19,8 @@
 // formulation.
 namespace scree {
 
-/// The particles of the material, `owned` of them, followed by those of walls; flags for wall particles that belong to
-/// plates, and for those that turn. They are the particles on all ranks of the case, or those near one rank.
+/// The particles of the material, `owned` of them, followed by those of walls, and flags for wall particles that belong
+/// to plates or turn. The particles are those on all ranks of the case, or those near one rank.
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
@@ -56,7 +56,7 @@ struct ParticlesAtWalls {
     looked_at = is_plate.size();
   }
   /// Adds the particles of a wall on other ranks that are within `reach` (m) of the box around the particles of this
-  /// rank. `shows_means` has the meaning that it has in add_wall(). All ranks call the function together.
+  /// rank. `shows_means` is as in add_wall(). All ranks call the function together.
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_near(Sys const& system, double reach, bool shows_means) {
     using Given = typename std::remove_cvref_t<decltype(system.template body<Body>())>::fields;
@@ -80,7 +80,7 @@ struct ParticlesAtWalls {
 
 /// The search for walls that are too thin (thicknesses for the usual support of the kernel):
 ///   a wall with material on both sides, if one of its particles shows each side a mean to which the other side
-///     contributes more than 5 %; walls of 4 spacings stay below
+///     contributes more than 5 %; in walls of 4 spacings it contributes less
 ///   a plate of less than 1.75 spacings with material on both sides, which then interacts through it; at the start, of
 ///     less than 2.5 if it turns: grains come closer to its rows than half a spacing, for which a plate of two rows is
 ///     too thin
@@ -119,8 +119,8 @@ class ThinWalls {
   Found found_;
 };
 
-/// The least number of wall particles with a fault for a message, so that single grains that have sunk into a wall are
-/// ignored.
+/// The smallest number of wall particles with a fault that leads to a message, so that single grains that have sunk
+/// into a wall are ignored.
 inline constexpr int many_thin_places = 3;
 
 /// Returns the message about the first wall that is too thin for particles with a spacing (m); "" if fewer than

@@ -45,7 +45,8 @@ struct WallView {
   bool has_few_rows = false;       ///< whether there is material in front, and walls do not fill its support
   double depth = 0;                ///< largest distance of wall particles behind, m; 0 if there is no second row
 
-  /// Returns the fault of the wall here. `plate`: whether it is a plate; `turns`: whether it turns, now or later.
+  /// Returns the fault of the wall at this particle. `plate`: whether it is a plate; `turns`: whether it turns, now or
+  /// later.
   SCREE_FN ThinWall fault(bool plate, bool turns) const {
     if (has_few_rows) return ThinWall::few_rows;
     int const bed = dimensions == 2 ? 4 : 8;  // fewer particles are grains that have sunk into the wall
@@ -70,7 +71,7 @@ struct WallView {
   /// Returns the sentence about a fault of this wall; "" if there is none.
   [[gnu::cold]] std::string text(ThinWall fault) const;
   /// Sets the members above. for_each_wall(visit) calls visit(x) for the particles of walls within the same distance;
-  /// it is called only if walls behind the particle matter.
+  /// it is called only if the walls behind the particle are needed.
   template <class ForEachMaterial, class ForEachWall>
   SCREE_FN void look(ForEachMaterial const& for_each_material, ForEachWall const& for_each_wall) {
     Point across;  // the direction through the wall
@@ -115,7 +116,8 @@ struct WallView {
     double const R = Kokkos::max(double(usual_support), support), r = distance / spacing, left = 1 - r / R;
     return left > 0 ? left * left * left * left * (1 + 4 * r / R) : 0;
   }
-  /// Finds the direction through the wall, starting from that of the nearest particle. Returns false without material.
+  /// Finds the direction through the wall, starting from that of the nearest particle. Returns false if there is no
+  /// material.
   template <class ForEachMaterial>
   SCREE_FN bool find_across(ForEachMaterial const& for_each_material, Point& across) {
     double least = Kokkos::Experimental::infinity_v<double>;
@@ -150,7 +152,8 @@ class WallsLook {
             double support = WallView::usual_support);
   /// Returns the number of cells with wall particles.
   std::size_t cells() const { return walls_.size(); }
-  /// Calls visit(w, view) for the wall particles in those of some cells that have material near them.
+  /// Calls visit(w, view) for the wall particles in the cells from `from` up to, but not including, `to` that have
+  /// material near them.
   template <class Visit>
   void visit_cells(std::size_t from, std::size_t to, Visit const& visit) const {
     Around around;

@@ -25,7 +25,7 @@ inline constexpr Diffusivity diffusivity{};
 
 /// A function of one particle that writes V and D. It may read the stress of the mechanics. Optional members:
 ///   warning()        a text that a solver shows to its user before the first step; empty: none
-///   under(gravity)   a copy of the closure for this gravity, if V or D depends on the magnitude of gravity
+///   under(gravity)   a copy of the closure for this gravity, needed if V or D depends on its magnitude
 ///   holds_at(i)      whether the closure was fitted to the state of a particle, which it reads from its `reads`
 ///   warning_beyond(share, way)   a text if `share`, the part of the segregation that takes place where holds_at(i) is
 ///                                false, is too large; `way` is the distance (m) that grains have moved at the present
@@ -93,7 +93,8 @@ struct SegregationBeyondFit {
 };
 }  // namespace detail
 
-/// The part of the segregation in a body that takes place beyond the fit of a closure, and its mean speed.
+/// The part of the segregation in a body that takes place beyond the fit of a closure, and the mean speed of
+/// segregation.
 struct BeyondFit {
   double share = 0;  ///< part of the segregation |V| C (1 - C), by volume, where the closure was not fitted, 0 to 1
   double speed = 0;  ///< mean |V|, weighted by C (1 - C), m/s

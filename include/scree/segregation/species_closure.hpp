@@ -112,8 +112,8 @@ SCREE_LOOP_FN void for_each_pair_of_species(Visit const& visit) {
   detail::visit_pairs_of_species<N, 0, 1, 0>(visit);
 }
 
-/// Writes the velocities and the diffusivity of a closure with factors, computed from its other members than
-/// operator().
+/// Writes the velocities and the diffusivity of a closure with factors, computed from factors_at(), speeds_of_pair()
+/// and diffusivity_at().
 template <FactoredClosure Closure, class I, class O>
 SCREE_FN void write_velocities(Closure const& closure, I const& i, O& out) {
   using namespace fields;

@@ -107,7 +107,7 @@ struct SpeciesTransport {
 template <class Closure>
 struct SpeciesSegregation {
   static constexpr int species = Closure::species;
-  static constexpr bool carries_momentum = true;  ///< exchanged grains of other densities carry their momentum
+  static constexpr bool carries_momentum = true;  ///< species of different densities carry momentum with their mass
   Closure closure = {};                           ///< velocities of pairs of species, and diffusivity
   TransportStep step = {};                        ///< limits of the time step
 

@@ -120,8 +120,8 @@ auto function_of_species_closure(Closure const& closure) {
   else
     return closure;
 }
-/// Returns the velocities of the species of a closure: drift() is for two particles, operator() gives the largest
-/// |S_kl| of one particle.
+/// Returns an object that computes the velocities of species for a closure, with drift() for two particles and with
+/// operator() for the largest |S_kl| of one particle.
 template <class Closure>
 auto velocities_of(Closure const& closure) {
   if constexpr (detail::stores_factors<Closure>)

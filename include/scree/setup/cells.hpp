@@ -34,8 +34,7 @@ void check_finite(Box<Dim> const& box) {
 
 /// Throws std::invalid_argument with the message that a shape with these extents (m) has no room for a particle.
 [[noreturn]] void refuse_empty(char const* shape, std::initializer_list<double> extents, double spacing);
-/// Throws std::invalid_argument if a shape that has a name, as all but combinations of shapes have, was filled with no
-/// point.
+/// Throws std::invalid_argument if no point was placed in a shape that has a name; combinations of shapes have none.
 template <Shape S>
 void check_not_empty(S const& shape, double spacing, double points) {
   if constexpr (requires { S::name; }) {
@@ -121,8 +120,8 @@ std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Di
   return all;
 }
 /// Returns the points that `place` accepts in a range of indices. The points are counted before they are created,
-/// unless there is enough memory for all indices and a growing vector; with `Shared`, the threads of the host then
-/// share the layers of indices.
+/// unless there is enough memory for all indices and a growing vector. If there is, and with `Shared`, the threads of
+/// the host share the layers of indices.
 template <int Dim, bool Shared = false, class Place>
 std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place place) {
   using vector = Vec<Dim, double>;

@@ -46,18 +46,18 @@ struct WithinBothSections {
 };
 }  // namespace detail
 
-/// Returns the smallest K0 of a bed at rest within the yield surface of a material with a friction k in plane shear.
-/// Without a section, the value holds for both sections that models have by default, CircularCone and MatsuokaNakai.
-/// Throws std::invalid_argument for a friction below 0.
+/// Returns the smallest K0 for which the stress in a bed at rest is within the yield surface of a material with this
+/// friction in plane shear. Without a section, the value holds for both sections that models have by default,
+/// CircularCone and MatsuokaNakai. Throws std::invalid_argument for a friction below 0.
 template <YieldSection S = detail::WithinBothSections>
 double least_admissible_K0(double friction, S const& section = {}) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
   double const k = section.ratio(friction, 1.0);
   return std::max(0.0, (std::sqrt(3.0) - k) / (std::sqrt(3.0) + 2 * k));
 }
-/// Returns the largest K0 of a bed at rest within the yield surface of a material with a friction k in plane shear.
-/// Without a section, the value holds for both sections that models have by default, CircularCone and MatsuokaNakai.
-/// Throws std::invalid_argument for a friction below 0.
+/// Returns the largest K0 for which the stress in a bed at rest is within the yield surface of a material with this
+/// friction in plane shear. Without a section, the value holds for both sections that models have by default,
+/// CircularCone and MatsuokaNakai. Throws std::invalid_argument for a friction below 0.
 template <YieldSection S = detail::WithinBothSections>
 double greatest_admissible_K0(double friction, S const& section = {}) {
   if (!(friction >= 0)) throw std::invalid_argument("set-up: friction must not be negative");
@@ -88,7 +88,7 @@ struct Geostatic {
   }
 };
 
-/// Returns `bed` if its stress is within the yield surface of a material with a friction k in plane shear. Without a
+/// Returns `bed` if its stress is within the yield surface of a material with this friction in plane shear. Without a
 /// section, the stress must be within both sections that models have by default, CircularCone and MatsuokaNakai. Throws
 /// std::invalid_argument otherwise, and if the density, the gravity or the friction is negative.
 template <YieldSection S = detail::WithinBothSections>

@@ -17,7 +17,7 @@ namespace scree {
 ///
 /// Lines that begin with # are ignored. A first line of names is optional; units in this line, in brackets or
 /// parentheses, must be s and m. Throws std::runtime_error, with the file, the line and the column, if a line has too
-/// few or too many numbers, an entry is not a finite number, a unit is another one, or the times do not increase.
+/// few or too many numbers, an entry is not a finite number, a unit differs from these, or the times do not increase.
 /// Throws std::runtime_error with the file if there are fewer than 2 lines of numbers or more than `Capacity`.
 template <int Dim, int Capacity = 32>
 Tabulated<Dim, Capacity> read_tabulated(std::filesystem::path const& file,

@@ -19,20 +19,21 @@ struct PlanePoints {
   std::vector<double> areas;
 
   void add(Vec<2, double> const& x, double area);
-  /// Adds `count` particles on a ring around the origin that share an area, m^2.
+  /// Adds `count` particles on a ring around the origin; each has an equal part of an area, m^2.
   void add_ring(double radius, long count, double area);
-  /// Adds the particles of an annulus that is one spacing wide; they are on its middle circle, which has this radius.
+  /// Adds a ring of particles with this radius, in the middle of an annulus that is one spacing wide.
   void add_annulus(double radius, double spacing);
 };
 
-/// Adds the core of a disc, where rings would be too tight: its radius is between 1/2 and 3/2 spacings. The core has at
-/// most seven particles, no two of which are closer than 0.8 spacings.
+/// Adds the core of a disc, whose radius is between 1/2 and 3/2 spacings, so that rings would be too tight. The core
+/// has at most seven particles, no two of which are closer than 0.8 spacings.
 void add_core(PlanePoints& plane, double radius, double spacing);
 
 /// Returns the particles of a disc around the origin: rings from half a spacing within its edge to its core.
 PlanePoints disc_of_rings(double radius, double spacing);
 
-/// Returns the point in space with these coordinates in the plane across the axis of a cylinder and along the axis.
+/// Returns a point in space, given its place in a plane across the axis of a cylinder and its coordinate along the
+/// axis.
 Vec<3, double> lifted(Vec<2, double> const& in_plane, double along, Cylinder const& cylinder);
 /// Returns the number of layers of particles along a cylinder, rounded.
 inline long layers_of(Cylinder const& cylinder, double spacing) {
@@ -74,7 +75,7 @@ RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region
   return result;
 }
 /// Returns the particles inside a region on the rings of a disc in every layer along a cylinder. The first layer is
-/// half a spacing from the end of the cylinder.
+/// half a spacing from the end `from` of the cylinder.
 template <Shape Region = Box<3>>
 RingFill<3> fill_rings(Cylinder const& cylinder, double spacing, Region const& region = whole_space<3>()) {
   cylinder.check(), check_shape(region);

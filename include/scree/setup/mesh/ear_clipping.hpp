@@ -24,7 +24,7 @@ inline bool is_in_triangle(std::array<Vec<2, double>, 3> const& abc, Vec<2, doub
 }
 
 /// Returns the corners of a polygon in space, projected onto the plane in which its area is largest (perpendicular to
-/// Newell's normal), counter-clockwise. Returns none if the polygon crosses itself so that its area is zero.
+/// Newell's normal), counter-clockwise. The result is empty if the polygon crosses itself so that its area is zero.
 inline std::vector<Vec<2, double>> in_own_plane(std::vector<Vec<3, double>> const& polygon) {
   Vec<3, double> normal = Vec<3, double>::Zero();
   double size = 0, length = 0;
@@ -43,9 +43,9 @@ inline std::vector<Vec<2, double>> in_own_plane(std::vector<Vec<3, double>> cons
 }
 
 /// Cuts a simple polygon into triangles, given as places of its corners. Ears, the corners that can be cut off without
-/// touching another one, are removed one after the other, those without area last. The time increases with up to the
-/// third power of the number of corners. Returns fewer triangles than the number of corners minus two if the polygon
-/// crosses itself.
+/// touching another one, are removed one after the other, those without area last. The time is at most proportional to
+/// the third power of the number of corners. Returns fewer triangles than the number of corners minus two if the
+/// polygon crosses itself.
 inline std::vector<std::array<std::size_t, 3>> clip_ears(std::vector<Vec<3, double>> const& polygon) {
   auto const x = in_own_plane(polygon);
   std::vector<std::size_t> left(x.size());

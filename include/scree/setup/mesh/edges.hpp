@@ -38,9 +38,8 @@ inline std::vector<Side> sides_of(Triangles const& mesh) {
   return sides;
 }
 
-/// The connections of triangles across edges of two triangles and, where shells touch, across edges of more. At the
-/// latter the triangles are ordered around the edge; each triangle at which the inside begins is joined with the one at
-/// which it ends.
+/// The connections of triangles across edges. Where shells touch, an edge has more than two triangles: these are
+/// ordered around the edge, and each triangle at which the inside begins is joined with the one at which it ends.
 struct Edges {
   static constexpr int none = -1;
   struct Across {
@@ -70,9 +69,9 @@ struct Edges {
     across[std::size_t(one.triangle)][std::size_t(one.corner)] = {other.triangle, same_direction};
     across[std::size_t(other.triangle)][std::size_t(other.corner)] = {one.triangle, same_direction};
   }
-  /// Joins the sides of an edge of more than two triangles if equal numbers of them run forwards and backwards. In a
-  /// counter-clockwise turn about the edge, the inside begins at a side that runs backwards and ends at one that runs
-  /// forwards. Sides with the same angle and direction are joined in the order of their triangles in the file.
+  /// Joins the sides of an edge that has more than two triangles, if equal numbers of them run forwards and backwards.
+  /// In a counter-clockwise turn about the edge, the inside begins at a side that runs backwards and ends at one that
+  /// runs forwards. Sides with the same angle and direction are joined in the order of their triangles in the file.
   void join_around(Triangles const& mesh, std::vector<Side> sides) {
     long const forwards = std::count_if(sides.begin(), sides.end(), [](Side const& side) { return side.forwards; });
     if (2 * forwards != long(sides.size())) return;

@@ -33,8 +33,8 @@ inline std::optional<std::pair<double, Vec<3, double>>> number_behind(Corners co
 }
 
 /// Returns the winding number just behind the middle of each triangle, or close to it (see number_behind()). In a
-/// closed mesh, the numbers of triangles that are next to each other in the tree differ by the number of crossings of
-/// the surface between them.
+/// closed mesh, the numbers of triangles that are next to each other in the tree differ by the net number of crossings
+/// of the surface between them.
 inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree const& tree,
                                           WindingNumbers const& winding, bool closed) {
   constexpr std::size_t portion = 1024;
@@ -59,8 +59,9 @@ inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree co
   return numbers;
 }
 
-/// Adds to a report the shares of triangles that do not bound the inside. The winding number just behind the middle of
-/// a triangle is 1 if it does, 2 or more if it is within another shell, and near 0 if nothing is enclosed.
+/// Adds to a report which shares of the area do not bound the inside. The winding number just behind the middle of a
+/// triangle is 1 if the triangle bounds the inside, 2 or more if it is within another shell, and near 0 if nothing is
+/// enclosed.
 inline void check_inside(MeshReport& report, Triangles const& mesh, std::vector<double> const& behind) {
   double buried = 0, unbounded = 0;
   for (std::size_t t = 0; t < mesh.size(); ++t) {

@@ -38,12 +38,13 @@ class Mesh {
   explicit Mesh(Triangles triangles);
 
   /// Returns the distance from the nearest triangle of the union, exact to rounding, negative inside, m. In a mesh with
-  /// holes, for which no union is formed, it is a lower bound inside where shells overlap.
+  /// holes, for which no union is formed, the distance is a lower bound inside where shells overlap.
   double signed_distance(Vec<3, double> const& x) const;
   /// Whether the signed distance may jump: it changes its sign in the holes of a mesh.
   bool has_jumps() const { return !report().closed; }
-  /// The signed distance for successive points that are close to each other. The search starts from the last nearest
-  /// triangle. In a closed mesh, a point is on the same side as the last one if no triangle is between them.
+  /// The signed distance for successive points that are close to each other. The search starts from the triangle
+  /// nearest to the previous point. In a closed mesh, a point is on the same side as the previous one if no triangle is
+  /// between them.
   class Walk;
   Walk walk() const;
   bool contains(Vec<3, double> const& x) const;
@@ -85,7 +86,7 @@ class Mesh {
 
 class Mesh::Walk {
  public:
-  /// Begins without a last point. Holds a copy of the mesh, which shares its data.
+  /// Starts without a previous point. Holds a copy of the mesh, which shares its data.
   explicit Walk(Mesh const& mesh) : mesh_(mesh) {}
   double operator()(Vec<3, double> const& x);
 

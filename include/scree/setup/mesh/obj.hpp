@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// OBJ (Wavefront): vertices, polygons and lines are read; materials and texture coordinates are skipped.
+// A reader of OBJ files (Wavefront). It reads vertices, polygons and lines; it skips materials and texture coordinates.
 namespace scree {
 
 /// Returns the triangles in the text of an OBJ file; `name` is the name of the file. Polygons of up to 1000 corners,

@@ -14,8 +14,8 @@ namespace scree::detail {
 
 inline constexpr std::size_t most_corners = 1000;  // of a polygon
 
-/// Returns the vertices that a line "f ..." or "l ..." names, as places from 0. The file has their numbers before the
-/// first slash of each word, which count from 1 or, if negative, back from the last vertex so far.
+/// Returns the vertices that a line "f ..." or "l ..." names, as places from 0. Each word of the line has the number of
+/// a vertex before its first slash, counted from 1 or, if negative, back from the last vertex so far.
 inline std::vector<int> obj_vertices(TextReader const& reader, std::size_t vertices) {
   std::vector<int> result;
   for (std::size_t k = 1; k < reader.words().size(); ++k) {

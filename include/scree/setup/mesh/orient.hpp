@@ -108,8 +108,8 @@ inline double winding_of(Triangles const& mesh, std::vector<Shell const*> const&
   return winding;
 }
 
-/// Returns the position of a shell relative to larger ones. On both sides of up to 256 triangles of the shell, points
-/// at the distance `depth` (m) from the middle and from places near the corners are checked; fewer triangles if the
+/// Returns the position of a shell relative to larger ones. Points on both sides of up to 256 triangles of the shell
+/// are checked, at the distance `depth` (m) from the middle and from places near the corners; fewer triangles if the
 /// larger shells have many.
 inline Nesting nesting_of(Triangles const& mesh, Shell const& shell, std::vector<Shell const*> const& larger,
                           double depth) {

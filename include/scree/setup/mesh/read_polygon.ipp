@@ -22,7 +22,7 @@ class LineJoiner {
     ends_[from].push_back({to, line});
     ends_[to].push_back({from, line});
   }
-  /// Returns the vertices of each closed line. Throws std::runtime_error if a line is not closed.
+  /// Returns the vertices of each closed line. Throws std::runtime_error if a vertex does not join exactly two pieces.
   std::vector<std::vector<int>> loops() {
     for (auto const& [vertex, ends] : ends_)
       if (ends.size() != 2)

@@ -21,8 +21,8 @@ struct FacingDistance {
 /// The contents of a mesh, and the changes that were made to it.
 struct MeshReport {
   std::string name;
-  long triangles_read = 0, triangles = 0;               ///< in the file, and in use; the union may have more or fewer
-  long welded_vertices = 0;                             ///< joined with another one at a slightly different place
+  long triangles_read = 0, triangles = 0;               ///< numbers in the file and in use; the union may have others
+  long welded_vertices = 0;                             ///< joined with another vertex at a slightly different place
   long degenerate_triangles = 0;                        ///< dropped
   Orientation orientation = {};                         ///< shells, open edges, turned triangles
   bool closed = false;                                  ///< no border remains

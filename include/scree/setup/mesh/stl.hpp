@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-// STL, ASCII and binary. The library has its own reader, because it is short, and that of another library would also
-// need tests with files whose stated size is wrong.
+// A reader of STL files, ASCII and binary. The library has its own reader because it is short; the reader of another
+// library would also need tests with files whose stated size is wrong.
 namespace scree {
 
 /// Returns the triangles in the bytes of an STL file; `name` is the name of the file. A file is binary if its length

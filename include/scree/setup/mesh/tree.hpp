@@ -18,7 +18,7 @@
 
 namespace scree {
 
-/// A point of a surface and its triangle, as an index of `Triangles`; -1 if there is none.
+/// A point of a surface and its triangle, as an index into `Triangles`; -1 if there is none.
 struct SurfacePoint {
   int triangle = -1;
   double distance = std::numeric_limits<double>::infinity();  ///< m
@@ -94,8 +94,8 @@ class TriangleTree {
     return best;
   }
 
-  /// Returns the nearest triangle along a ray with a unit vector, between `least` and `most` (m), for which
-  /// accept(triangle) is true.
+  /// Returns the nearest triangle along a ray with the unit vector `along`, at a distance between `least` and `most`
+  /// (m), for which accept(triangle) is true.
   template <class Accept>
   SurfacePoint first_along(Vec<3, double> const& from, Vec<3, double> const& along, double least, double most,
                            Accept const& accept) const {
@@ -133,8 +133,8 @@ class TriangleTree {
     });
     return certain ? std::optional(count) : std::nullopt;
   }
-  /// Calls visit(k) for triangles in the order of the tree, among them all that meet a box (m), until a call returns
-  /// false. Returns whether none of the calls did.
+  /// Calls visit(k) for the triangles of all leaves whose boxes meet a box (m), in the order of the tree, until a call
+  /// returns false. Returns false if a call did, otherwise true.
   template <class Visit>
   bool visit_box(Box<3> const& box, Visit const& visit) const {
     Stack stack;

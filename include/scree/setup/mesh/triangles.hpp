@@ -22,7 +22,7 @@ struct Triangles {
   std::vector<Vec<3, double>> vertices = {};     ///< m
   std::vector<std::array<int, 3>> corners = {};  ///< of each triangle, as places in `vertices`
   std::vector<int> numbers = {};      ///< of each triangle in the file, or of its line in a text, from 1; may be empty
-  std::string numbered = "triangle";  ///< what `numbers` are numbers of: "triangle" or "line"
+  std::string numbered = "triangle";  ///< what `numbers` refers to: "triangle" or "line"
 
   /// Returns the number of triangles.
   std::size_t size() const { return corners.size(); }

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 
-// The volume below a level within a closed surface of triangles, by the divergence theorem for the field (0, 0, min(z,
-// level)), whose divergence is 1 below the level and 0 above.
+// The volume below a level inside a closed surface of triangles, by the divergence theorem applied to the field (0, 0,
+// min(z, level)), whose divergence is 1 below the level and 0 above.
 namespace scree::detail {
 
 /// Returns the mean of min(z, level) over a triangle whose corners have these z, m.

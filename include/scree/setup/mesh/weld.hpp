@@ -26,7 +26,7 @@ inline Box<3> bounds_of(Triangles const& mesh) {
 namespace detail {
 
 /// The smallest distance between separate parts of a surface, and the distance at which points in front of the surface
-/// and behind it are probed, both over the largest extent of the mesh. 1e-7 is the rounding error of the
+/// and behind it are probed, both relative to the largest extent of the mesh. 1e-7 is the rounding error of the
 /// single-precision numbers of a binary STL file.
 inline constexpr double apart_at_least = 1e-7, probe_depth = 2 * apart_at_least;
 
@@ -37,8 +37,8 @@ class CubeTable {
     first_.reserve(points);
   }
 
-  /// Returns the first point whose distance from x along each axis is at most one edge; if there is none, adds x as
-  /// point `number` and returns `number`.
+  /// Returns the number of the first point whose distance from x along each axis is at most one edge; if there is none,
+  /// adds x as point `number` and returns `number`.
   int find_or_add(Vec<3, double> const& x, int number, std::vector<Vec<3, double>> const& points) {
     std::array<std::int64_t, 3> cube{};
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -115,7 +115,7 @@ template <class A, class B>
 requires ShapesOfOneSpace<A, B> Intersection<A, Complement<B>> subtract(A const& a, B const& b) {
   return {a, complement(b)};
 }
-/// Returns the points closer to a than `distance` (m); a negative distance makes the shape smaller.
+/// Returns the shape of all points closer to a than `distance` (m); a negative distance makes the shape smaller.
 template <Shape A>
 Offset<A> offset(A const& a, double distance) {
   return {a, distance};

@@ -62,7 +62,7 @@ struct Cylinder {
   }
 };
 
-/// The half-space on one side of a plane, away from its normal.
+/// The half-space on the side of a plane opposite to its normal.
 template <int Dim>
 struct HalfSpace {
   static constexpr int dim = Dim;

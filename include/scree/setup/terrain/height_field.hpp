@@ -17,9 +17,9 @@
 namespace scree {
 namespace detail {
 
-/// Heights at the points of a raster and of one more line on each side, which continues the heights of the edge
-/// outwards over ten times the extent of the raster. A cell is divided into four triangles around its middle, whose
-/// height is the mean of those of the corners.
+/// Heights at the points of a raster and on one more line of points on each side, which continues the heights of the
+/// edge outwards over ten times the extent of the raster. A cell is divided into four triangles around its middle,
+/// whose height is the mean of those of the corners.
 class HeightGrid {
  public:
   explicit HeightGrid(Raster const& raster) : raster_(raster) {
@@ -180,8 +180,8 @@ class NearestHeight {
 
 /// The ground below a surface z = h(x, y), as a shape. In each cell of the raster the surface consists of four
 /// triangles around the middle, whose height is the mean of those of the corners: this agrees with bilinear
-/// interpolation to a sixteenth of the twist of the cell (h00 - h10 - h01 + h11). Beyond the raster, the heights of its
-/// edge continue outwards over ten times its extent. Copies share their data; host only.
+/// interpolation to within a sixteenth of the twist of the cell (h00 - h10 - h01 + h11). Beyond the raster, the heights
+/// of its edge continue outwards over ten times the extent of the raster. Copies share their data; host only.
 class HeightField {
  public:
   static constexpr int dim = 3;

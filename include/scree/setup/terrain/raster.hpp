@@ -50,7 +50,7 @@ struct Raster {
     return between(between(at(i, j), at(i + 1, j), s), between(at(i, j + 1), at(i + 1, j + 1), s), t);
   }
   /// Returns the raster moved by a vector (m). Rasters often have coordinates of a million metres, which leave fewer
-  /// digits for distances.
+  /// digits for differences between positions.
   Raster moved(double by_x, double by_y) const {
     Raster result = *this;
     result.x += by_x, result.y += by_y;
@@ -90,7 +90,7 @@ void check_metres(Raster const& raster);
 void check_marks(Raster const& raster);
 }  // namespace detail
 
-/// Returns the raster in the text of an ESRI ASCII grid; `name` is the name of the file. Values are those at the middle
+/// Returns the raster in the text of an ESRI ASCII grid; `name` is the name of the file. The values are at the middle
 /// of each cell. The first line of values is the northernmost, with the highest y. Points with the nodata_value
 /// (default -9999) or "nan" become NaN. Throws std::runtime_error, with the file and the line, for everything that does
 /// not follow the format, for a value beyond 1e5 m, and for a usual mark of points without a value (-9999, -99999,
