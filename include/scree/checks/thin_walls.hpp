@@ -15,25 +15,26 @@
 #include <type_traits>
 #include <vector>
 
-// Finds walls that are too thin for the support of the kernel. It runs on the host and does not depend on the
+// The search for walls that are too thin for the support of the kernel. It runs on the host and does not depend on the
 // formulation.
 namespace scree {
 
-/// The particles of the material, `owned` of them, then those of walls, which of the latter belong to plates and which
-/// of these turn; of the whole case, or those that are here and near these.
+/// The particles of the material, `owned` of them, followed by those of walls, and flags for wall particles that belong
+/// to plates or turn. The particles are those of the whole case, or those that are here and near these.
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
   std::vector<char> is_plate;
   std::vector<char> turns;                                          ///< empty: none
-  double support = detail::WallView::usual_support;                 ///< of the kernel, spacings
-  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls are not here
+  double support = detail::WallView::usual_support;                 ///< support of the kernel, spacings
+  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later wall particles are not here
 
-  /// Inserts the particles of the material before those of walls. They need names if the particles of walls have names.
-  /// Call it once.
+  /// Inserts the particles of the material before those of walls. The material must have `numbers` if the walls have
+  /// them. To be called once.
   [[gnu::cold]] void put_material(PlacedParticles const& material);
-  /// Adds the particles of a wall, of a scheme that shows means of the material except on plates
-  /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.
+  /// Adds the particles of a wall. `shows_means`: whether the boundary scheme gives walls means of the material, except
+  /// on plates (boundaries/plates.hpp); otherwise all walls are treated as plates. `turning` has a nonzero entry for
+  /// each particle that turns; empty: none.
   template <class... Of>
   [[gnu::cold]] void add_wall(WholeBody<Of...> const& body, bool shows_means, std::vector<char> const& turning = {}) {
     all.add_part(body);
@@ -45,8 +46,8 @@ struct ParticlesAtWalls {
     turns.resize(is_plate.size(), false);
     looked_at = is_plate.size();
   }
-  /// Adds copies of particles of a wall that are elsewhere, within `reach` (m) of the particles here. Call it after
-  /// add_wall() of all walls.
+  /// Adds copies of wall particles that are elsewhere and within `reach` (m) of the box around the particles here. Call
+  /// this after add_wall() of all walls. `shows_means` is as in add_wall().
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_near(Sys const& system, double reach, bool shows_means) {
     using Given = typename std::remove_cvref_t<decltype(system.template body<Body>())>::fields;
@@ -66,26 +67,26 @@ struct ParticlesAtWalls {
   }
 };
 
-/// Looks for walls that are too thin:
-///   a wall with material on both sides, of which one of its particles shows each side a mean with a share of the other
-///     above 5 %; walls of 4 spacings stay below
-///   a plate of less than 1.75 spacings with material on both sides, which then act on each other; at the start,
-///     of less than 2.5 if it turns: grains press closer to its rows than half a spacing, which a plate of two does not
-///     bear
+/// The search for walls that are too thin (thicknesses for the usual support of the kernel):
+///   a wall with material on both sides, if one of its particles shows each side a mean to which the other side
+///     contributes more than 5 %; in walls of 4 spacings it contributes less
+///   a plate of less than 1.75 spacings with material on both sides, which then interacts through it; at the start, of
+///     less than 2.5 if it turns: grains come closer to its rows than half a spacing, for which a plate of two rows is
+///     too thin
 ///   a wall of one row of particles with material in front
-/// Edges, bodies of a few spacings with material all around and the feet of plates are not checked, and periods are not
-/// followed. The threads of the host share the walls; of the particles with a fault the one with the lowest number is
-/// named.
+/// Edges, bodies of a few spacings with material all around and the feet of plates are not checked; periodic images are
+/// left out. The threads of the host share the walls; the message names the particle with a fault that has the lowest
+/// number.
 class ThinWalls {
  public:
-  /// Used in place of the number of a particle where there is none.
+  /// The value of lowest() if no particle has a fault.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// Examines the particles at walls of a spacing (m) in 2 or 3 dimensions.
+  /// Checks the particles at walls with a spacing (m) in 2 or 3 dimensions.
   [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions);
-  /// The number of wall particles with a fault.
+  /// Returns the number of wall particles with a fault.
   std::size_t faults() const { return found_.faults; }
-  /// The lowest number of a wall particle with a fault; `none` if there is none.
+  /// Returns the lowest number of a wall particle with a fault; `none` if no particle has one.
   std::size_t lowest() const { return found_.lowest; }
   /// Returns a description of the fault of the particle lowest().
   [[gnu::cold]] std::string text() const;
@@ -107,11 +108,13 @@ class ThinWalls {
   Found found_;
 };
 
-/// So many wall particles must have a fault, so that single grains that have sunk into a wall do not count.
+/// The smallest number of wall particles with a fault that leads to a message, so that single grains that have sunk
+/// into a wall are ignored.
 inline constexpr int many_thin_places = 3;
 
-/// The message for the first wall that is too thin for particles of a spacing (m); "" if no wall is, or if there are
-/// fewer than many_thin_places in the case. Where not all of these are here, it is returned where the first one is.
+/// Returns the message about the first wall that is too thin for particles with a spacing (m); "" if there is none, or
+/// if fewer than many_thin_places wall particles of the case have a fault. If the particles of the case are in several
+/// places, the message is returned where the first such wall is.
 template <class Case = WholeCase>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
                                               Case const& of_case = {}) {
