@@ -80,8 +80,8 @@ class Schema {
     /// Creates an object that adds options of the struct `part`, a member of the options, under the name of a section.
     InSection(Schema& schema, std::string name, Part part) : schema_(schema), name_(std::move(name)), part_(part) {}
 
-    /// Adds an option "section.name". The type and the initialiser of `member` are the type and the default of the
-    /// option.
+    /// Adds an option "section.name" and returns this object. The type and the initialiser of `member` are the type and
+    /// the default of the option.
     template <class V>
     InSection& add(std::string name, V S::*member, About about) {
       auto allowed = Codec<V>::allowed(about);
@@ -100,6 +100,7 @@ class Schema {
       return add(std::move(name), member, std::move(about));
     }
     /// Adds all parameters of the struct of this section, which must be a model, with their names, ranges and defaults.
+    /// Returns this object.
     InSection& add_parameters() {
       static_assert(scree::detail::HasParameters<S>, "the struct of this section is not a model with parameters()");
       for (auto const& each : S::parameters()) {
