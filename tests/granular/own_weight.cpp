@@ -39,7 +39,7 @@ void one_step(double density, double inclination = 0, bool checks = true) {
   SolverSettings<F> settings{.spacing = 0.02, .start_checks = checks};
   auto& mechanics = mechanics_of(settings.physics);
   mechanics.law.elastic = {5e3, 0, density};  // c^2 is 5e3/density
-  mechanics.law.grains = {1e-3};
+  mechanics.law.grains = {1e-3}, mechanics.law.grain_density = 5000;
   mechanics.gravity = {9.81, inclination};
   mechanics.largest_mach = 1e9;
   Solver<F>(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02)).step(1e-6);
@@ -78,7 +78,7 @@ void one_step_of_layers(double below, double above) {
   SolverSettings<Layers> settings{.spacing = 0.02};
   settings.physics.law = ByGroup<MuOfI<>>(layers);
   for (int k = 0; k < 2; ++k)
-    settings.physics.law.set(k, {.elastic = {5e3, 0, k == 0 ? below : above}, .grains = {1e-3}});
+    settings.physics.law.set(k, {.elastic = {5e3, 0, k == 0 ? below : above}, .grains = {1e-3}, .grain_density = 5000});
   settings.physics.largest_mach = 1e9;
   Solver<Layers>(settings, layers).step(1e-6);
 }
@@ -97,7 +97,8 @@ struct Mixed : Formulation<2> {
 /// One step of a mixture with densities of its species, whose concentrations nothing transports.
 void one_step_of_mixture(double density, Vec<2, double> const& concentrations) {
   SolverSettings<Mixed> settings{.spacing = 0.02};
-  settings.physics.law = {{.elastic = {5e3, 0, density}, .grains = {1e-3}}, {density, 2 * density}};
+  settings.physics.law = {{.elastic = {5e3, 0, density}, .grains = {1e-3}, .grain_density = 5000},
+                          {density, 2 * density}};
   settings.physics.largest_mach = 1e9;
   Solver<Mixed> solver(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02));
   solver.set(fields::concentrations<2>, [&](auto const&) { return concentrations; });

@@ -4,6 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "../core/tuple.hpp"
+#include "../laws/plausible.hpp"
 #include "../laws/relative_density.hpp"
 #include "../laws/response.hpp"
 #include "../laws/strength.hpp"
@@ -194,8 +195,9 @@ struct Granular {
           "lengths (m); if it is meant, set `start_checks = false`",
           g * depth, depth, c));
   }
-  /// Warnings of a gravity that acts upwards, of a law without strength (is_without_strength()), and of one that is
-  /// ill-posed at every inertial number (is_never_well_posed()), a line each; empty for others.
+  /// Warnings of a gravity that acts upwards, of a law without strength (is_without_strength()), of one that is
+  /// ill-posed at every inertial number (is_never_well_posed()), and of numbers of a law that are hardly meant
+  /// (doubts_of_law()), a line each; empty for others.
   [[gnu::cold]] std::string warning() const {
     std::string text;
     auto const add = [&](std::string const& line) { text += (text.empty() ? "" : "\n") + line; };
@@ -208,6 +210,7 @@ struct Granular {
       add("scree: warning: the cone of the law has neither friction nor cohesion, so that the material flows like a "
           "liquid; set it, for instance `.cone = plane_strain_cone({.friction_angle = 0.52})` (rad)");
     if (is_never_well_posed(law)) add(ill_posed);
+    if (auto const doubts = doubts_of_law(law, gravity.magnitude); !doubts.empty()) add(doubts);
     return text;
   }
   /// The warnings of a law on a circular cone in space whose material (WholeBody) yields far from plane shear, and of

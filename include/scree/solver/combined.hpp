@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/tuple.hpp"
+#include "../laws/plausible.hpp"
 #include "../passes/fuse.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/stage.hpp"
@@ -23,6 +24,10 @@ namespace detail {
 template <class Transport, class Mechanics>
 concept TakesMechanics = requires(Transport const& transport, Mechanics const& mechanics) {
   transport.passes_with(mechanics, Resolution{});
+};
+template <class Mechanics, class Transport>
+concept KnowBedAndGrains = requires(Mechanics const& mechanics, Transport const& transport) {
+  double(mechanics.law.density() + transport.closure.grain_density);
 };
 template <class Physics>
 inline constexpr bool has_filters =
@@ -133,13 +138,16 @@ struct Combined {
   }
   { return mechanics.template reaction_passes<Body>(resolution); }
 
-  /// Throws std::invalid_argument where a setting of a model or the period is out of range.
+  /// Throws std::invalid_argument where a setting of a model or the period is out of range, or a density of grains in
+  /// the closure is below that of the bed.
   void check() const {
     check_settings_of(mechanics);
     check_settings_of(transport);
     check_setting(period >= 1, "period (steps) of the transport in Combined", period, "1 or more");
     if constexpr (GivesSpeciesDensities<Mechanics> && detail::HasDensitiesOfClosure<Transport>)
       detail::check_same_densities(mechanics.species_densities(), transport.closure.densities);
+    if constexpr (detail::KnowBedAndGrains<Mechanics, Transport>)
+      detail::check_density_of_bed(mechanics.law.density(), transport.closure.grain_density, "the closure");
   }
   /// The limits of the step of both models. A limit of the transport covers `period` steps. Throws as the limits of the
   /// two models do.
