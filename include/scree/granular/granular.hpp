@@ -25,6 +25,7 @@
 #include "rigid_rotation.hpp"
 #include "several_materials.hpp"
 #include "validity.hpp"
+#include "viscous_power.hpp"
 
 #include <limits>
 #include <string>
@@ -213,8 +214,9 @@ struct Granular {
     if (auto const doubts = doubts_of_law(law, gravity.magnitude); !doubts.empty()) add(doubts);
     return text;
   }
-  /// The warnings of a law on a circular cone in space whose material (WholeBody) yields far from plane shear, and of
-  /// PlainStrain where it turns as a rigid body; empty for others.
+  /// The warnings of a law on a circular cone in space whose material (WholeBody) yields far from plane shear, of
+  /// PlainStrain where it turns as a rigid body, and of PlainViscosity that takes more from a flow than its friction;
+  /// empty for others.
   template <class Whole>
   [[gnu::cold]] std::vector<std::string> warnings_of_state(Whole const& body) const {
     constexpr int dim = Whole::policy::dim;
@@ -223,6 +225,10 @@ struct Granular {
       all.push_back(warning_beside_cone(beside_cone(law, body)));
     if constexpr (!Models::strain::corrected && !granular::IsObjective<typename Models::strain>)
       all.push_back(warning_of_rotation(rigid_rotation(body.untyped()), body.time()));
+    if constexpr (has_one_density && std::is_same_v<typename Models::viscosity, PlainViscosity>)
+      if (!is_without_strength(law))
+        all.push_back(warning_of_viscosity(
+            viscous_power(body.untyped(), viscosity_speed, law.density(), gravity.magnitude), viscosity_speed));
     return all;
   }
   /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.
