@@ -25,7 +25,7 @@
 #include "rigid_rotation.hpp"
 #include "several_materials.hpp"
 #include "validity.hpp"
-#include "viscous_power.hpp"
+#include "viscous_share.hpp"
 
 #include <limits>
 #include <string>
@@ -215,8 +215,7 @@ struct Granular {
     return text;
   }
   /// The warnings of a law on a circular cone in space whose material (WholeBody) yields far from plane shear, of
-  /// PlainStrain where it turns as a rigid body, and of PlainViscosity that takes more from a flow than its friction;
-  /// empty for others.
+  /// PlainStrain where it turns as a rigid body, and of PlainViscosity that rules a flow; empty for others.
   template <class Whole>
   [[gnu::cold]] std::vector<std::string> warnings_of_state(Whole const& body) const {
     constexpr int dim = Whole::policy::dim;
@@ -228,7 +227,7 @@ struct Granular {
     if constexpr (has_one_density && std::is_same_v<typename Models::viscosity, PlainViscosity>)
       if (!is_without_strength(law))
         all.push_back(warning_of_viscosity(
-            viscous_power(body.untyped(), viscosity_speed, law.density(), gravity.magnitude), viscosity_speed));
+            viscous_share(body.untyped(), viscosity_speed, law.density(), gravity.magnitude), viscosity_speed));
     return all;
   }
   /// The limits of the step: of sound, of the acceleration and of viscosity. Throws as check() does.
