@@ -29,6 +29,7 @@ struct Packing {
   long at_walls = 0;       ///< number of particles that touch walls and have neighbours on all other sides
   long facing = 0;         ///< number of particles that have walls on the side that the material leaves empty
   long facing_little = 0;  ///< how many of these see less than 0.6 of the volume of walls that belongs there
+  long facing_sparse = 0;  ///< and are within 2 spacings of a particle of a wall that fills less than 0.4 of its space
   double walls = 1;  ///< median over them of sum V W over walls, over what the material leaves of 1 to them, at most 4
   double fill_of_walls = 1;  ///< median of the volumes of walls over the dim-th power of the distance of the nearest
                              ///< other particle of a wall (at most 3 spacings), at most 4
@@ -53,14 +54,19 @@ struct Packing {
   /// 0.2 spacings gives 1.4, although the wall is correct; `fill_of_walls` then shows it: 1 on a square lattice, 0.87
   /// on a hexagonal one. It is enough if one of the two is from 0.85 to 1.15.
   bool walls_may_start() const {
-    if (walls_are_sparse()) return false;
+    if (walls_are_sparse() || a_wall_is_sparse()) return false;
     return at_walls < 8 || !((walls > 1.15 && fill_of_walls > 1.15) || (walls < 0.85 && fill_of_walls < 0.85));
   }
   /// Whether walls are so sparse that they may not be on all sides of the material beside them: most particles that
   /// face them, of 8 or more, see less than 0.6 of what belongs there, and the particles of walls fill less than 0.4 of
   /// their own space. The last is 0.25 (in space 0.12) with twice the spacing, and 0.69 or more on lattices of the
   /// right one.
-  bool walls_are_sparse() const { return facing >= 8 && 2 * facing_little > facing && fill_of_walls < 0.4; }
+  bool walls_are_sparse() const {
+    return facing >= 8 && 2 * facing_little > facing && fill_of_walls < detail::Crowding::sparse_fill;
+  }
+  /// Whether one of several walls is so sparse, which a median over all of them does not show: it is so beside 8
+  /// particles of the material.
+  bool a_wall_is_sparse() const { return facing_sparse >= 8; }
   /// Whether particles are on a lattice of their spacing, in a layer whose surface has steps.
   bool is_stepped() const {
     return 2 * full < particles && fits(nearest, 0.01) && by_number >= 0.9 && by_number <= 1.05;
@@ -97,6 +103,9 @@ class PackingOfMany {
   void add(Crowding const& at, double spacing);
   /// Adds the volume of a particle of a wall over the space that it has.
   void add_wall(double fill) { fill_of_walls_.push_back(fill); }
+  /// Adds that a particle that faces too little of a wall has a nearest particle of it with this volume over the space
+  /// that it has.
+  void add_facing(double fill) { facing_sparse_ += fill < Crowding::sparse_fill; }
   [[gnu::cold]] void add(PackingOfMany const& other);
   /// The medians over all ranks of the case, which call it together; `sum` is over these.
   [[gnu::cold]] Packing of_all(std::function<long(long)> const& sum) const;
@@ -107,7 +116,7 @@ class PackingOfMany {
                                        int twentieths = 10);
 
   std::vector<double> nearest_, volume_, density_, by_number_, walls_, fill_of_walls_;
-  long facing_ = 0, facing_little_ = 0;
+  long facing_ = 0, facing_little_ = 0, facing_sparse_ = 0;
 };
 
 }  // namespace detail
