@@ -4,12 +4,15 @@
 #include <scree/laws/hypoplastic.hpp>
 #include <scree/laws/mixture_density.hpp>
 #include <scree/laws/rising_mu_of_i.hpp>
+#include <scree/laws/tension_cutoff.hpp>
 #include <scree/laws/volume_memory.hpp>
 
 #include <catch2/catch_message.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
+
+#include <utility>
 
 namespace scree::test::plausible_tests {
 namespace {
@@ -76,6 +79,16 @@ TEST_CASE("an I0 in percent is doubted, and those of all fits and of a linear fr
     CHECK(doubts_of_law(with(fit), g) == "");
   }
   CHECK(doubts_of_law(RisingMuOfI<>{with({0.3, 0.6, 5}), 1}, g) == "");
+}
+
+TEST_CASE("a cohesion above Young's modulus is doubted, and that of clay, ice and gels is not") {
+  auto const soil = [](double young, double cohesion) {
+    return DruckerPrager{.elastic = {young, 0.3, 1500}, .cone = plane_strain_cone({0.3, cohesion})};
+  };
+  CHECK_THAT(doubts_of_law(soil(5, 2e4), g), ContainsSubstring("is above Young's modulus, 5 Pa"));  // MPa
+  CHECK_THAT(doubts_of_law(TensionCutoff<DruckerPrager>{soil(5e3, 2e4), 0}, g), ContainsSubstring("given in Pa?"));
+  for (auto const& [young, cohesion] : {std::pair(5e6, 2e4), std::pair(9e9, 1e6), std::pair(1e3, 700.0)})
+    CHECK(doubts_of_law(soil(young, cohesion), g) == "");
 }
 
 }  // namespace scree::test::plausible_tests

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <string>
 
-// Parameters of laws that are in range and yet hardly meant: densities in g/cm^3, an I0 in percent.
+// Parameters of laws that are in range and yet hardly meant: densities in g/cm^3, an I0 in percent, a modulus in MPa.
 namespace scree {
 namespace detail {
 
@@ -21,6 +21,8 @@ struct NumbersOfLaw {
   double density = 0;        ///< the least one of a bed, kg/m^3; 0: not known
   double grain_density = 0;  ///< kg/m^3; 0: not known
   double I0 = 0, rise = 0;   ///< and the rise of the friction from rest to an inertial number of 1
+  double cohesion = 0;       ///< of a cone, Pa
+  double young = 0;          ///< Pa; 0: not known
 };
 /// The warnings of the numbers of a law under a gravity (m/s^2), a line each; empty for none.
 [[gnu::cold]] std::string doubts_of(NumbersOfLaw const& law, double gravity);
@@ -30,10 +32,15 @@ concept HasI0 = FrictionOfInertialNumber<Law> && requires(Law const& law) {
   double(law.I0 + law.mu_s);
 };
 
+template <class Law>
+concept HasConeAndYoung = requires(Law const& law) {
+  double(law.cone.cohesion + law.elastic.young);
+};
+
 }  // namespace detail
 
-/// Warnings of densities and of an I0 of a law that are in range and hardly meant, under a gravity (m/s^2), a line
-/// each; empty for others. Of a law by group, those of the first group that has any.
+/// Warnings of densities, of an I0 and of a cohesion of a law that are in range and hardly meant, under a gravity
+/// (m/s^2), a line each; empty for others. Of a law by group, those of the first group that has any.
 template <class Law>
 [[gnu::cold]] std::string doubts_of_law(Law const& law, double gravity) {
   std::string text;
@@ -48,6 +55,7 @@ template <class Law>
       // A shear rate against which lambda is nothing, of grains of 1 m.
       numbers.rise = double(law.friction(law.grain_density * 1e18, 1e9, 1.0)) - law.mu_s;
     }
+    if constexpr (detail::HasConeAndYoung<Law>) numbers.cohesion = law.cone.cohesion, numbers.young = law.elastic.young;
     text = detail::doubts_of(numbers, gravity);
   }
   return text;

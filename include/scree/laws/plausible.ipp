@@ -39,6 +39,12 @@ SCREE_BODY std::string doubts_of(NumbersOfLaw const& law, double gravity) {
                   "which dense flows do not reach: I0 of grains is 0.05 to 1; if the friction is meant to be constant, "
                   "set mu_d to mu_s",
                   law.I0, law.rise));
+  // Soil has a modulus of 50 times its cohesion and more, gels some times.
+  if (law.young > 0 && law.cohesion > law.young)
+    add(
+        formatted("scree: warning: the cohesion of the cone, %.6g Pa, is above Young's modulus, %.6g Pa: the material "
+                  "would double its length before it yields; are both given in Pa?",
+                  law.cohesion, law.young));
   return text;
 }
 
