@@ -14,6 +14,8 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace scree::test::own_weight_tests {
 namespace {
@@ -56,6 +58,27 @@ TEST_CASE("a bed that its own weight would crush is refused, and a wrong unit is
   CHECK_THROWS_AS(one_step<Mixture>(2860), std::invalid_argument);
   CHECK_NOTHROW(one_step<Mixture>(2800));
   CHECK_NOTHROW(one_step<Sand>(2860, 0, false));
+}
+
+TEST_CASE("a bed that its own weight compresses by a tenth is warned of, once, and a stiffer one is not") {
+  auto const said = [](double young, double gravity) {
+    std::vector<std::string> all;
+    SolverSettings<Sand> settings{.spacing = 0.02, .warn = [&](std::string const& text) { all.push_back(text); }};
+    settings.physics.law = {.elastic = {young, 0, 1000}, .grains = {1e-3}};
+    settings.physics.gravity = {gravity};
+    Solver<Sand> solver(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02));
+    solver.check_start();
+    for (int n = 0; n < 3; ++n) solver.step(1e-6);
+    return all;
+  };
+  // 9.81 0.18/c^2 is 0.1 with c^2 = 17.66 m^2/s^2.
+  auto const soft = said(17.2e3, 9.81);
+  REQUIRE(soft.size() == 1);
+  CHECK_THAT(soft[0], ContainsSubstring("compresses the material by 10 % at its bottom") &&
+                          ContainsSubstring("12 sqrt(g H), 15.95 m/s, or more is recommended"));
+  CHECK(said(18e3, 9.81).empty());
+  CHECK(said(3e3, 1.62).empty());  // on the moon
+  CHECK(said(100, 0).empty());
 }
 
 TEST_CASE("the depth of a bed is its extent along gravity") {

@@ -196,6 +196,11 @@ struct Granular {
           "lengths (m); if it is meant, set `start_checks = false`",
           g * depth, depth, c));
   }
+  /// The warning of a bed of a depth (m) that its weight compresses by a tenth or more, for laws of constant stiffness;
+  /// empty for others.
+  std::string warning_of_depth(double depth) const {
+    return detail::warning_of_soft_bed(depth, std::abs(gravity.magnitude), uniform_sound_speed());
+  }
   /// Warnings of a gravity that acts upwards, of a law without strength (is_without_strength()), of one that is
   /// ill-posed at every inertial number (is_never_well_posed()), and of numbers of a law that are hardly meant
   /// (doubts_of_law()), a line each; empty for others.

@@ -16,6 +16,10 @@ namespace detail {
 /// Throws std::invalid_argument where a bed is denser than its grains (kg/m^3), those of a model.
 [[gnu::cold]] void check_density_of_bed(double bed, double grains, char const* model);
 
+/// The warning of a bed of a depth (m) that its weight compresses by a tenth or more at its bottom, with gravity
+/// (m/s^2) and the speed of sound (m/s; 0: not known); empty for others.
+[[gnu::cold]] std::string warning_of_soft_bed(double depth, double gravity, double sound_speed);
+
 /// What doubts_of_law() looks at.
 struct NumbersOfLaw {
   double density = 0;        ///< the least one of a bed, kg/m^3; 0: not known

@@ -6,6 +6,8 @@
 #include "../core/setting.hpp"
 #include "plausible.hpp"
 
+#include <cmath>
+
 namespace scree::detail {
 
 SCREE_BODY void check_density_of_bed(double bed, double grains, char const* model) {
@@ -14,6 +16,17 @@ SCREE_BODY void check_density_of_bed(double bed, double grains, char const* mode
       formatted("at most the grain_density of %s, %.6g kg/m^3: a bed has pores and is lighter than its grains", model,
                 grains)
           .c_str());
+}
+
+SCREE_BODY std::string warning_of_soft_bed(double depth, double gravity, double sound_speed) {
+  double const c = sound_speed, compression = gravity * depth / (c * c);
+  if (!(c > 0 && compression > 0.1)) return "";
+  return formatted(
+      "scree: warning: the weight of a bed of %.4g m compresses the material by %.2g %% at its bottom, where its speed "
+      "of "
+      "sound is %.4g m/s: 12 sqrt(g H), %.4g m/s, or more is recommended; check the units of stiffness (Pa) and "
+      "density (kg/m^3)",
+      depth, 100 * compression, c, 12 * std::sqrt(gravity * depth));
 }
 
 SCREE_BODY std::string doubts_of(NumbersOfLaw const& law, double gravity) {

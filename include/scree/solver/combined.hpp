@@ -97,6 +97,11 @@ struct Combined {
   /// Throws std::invalid_argument where the mechanics refuses a bed of this depth (m), see Granular::check_depth().
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
   { mechanics.check_depth(depth); }
+  /// The warning of the mechanics about a bed of this depth (m), see Granular::warning_of_depth().
+  std::string warning_of_depth(double depth) const requires requires(Mechanics const& each) {
+    each.warning_of_depth(depth);
+  }
+  { return mechanics.warning_of_depth(depth); }
   /// The warnings of both models, a line each; empty if there are none.
   std::string warning() const {
     return in_lines([](auto const& model) {
