@@ -10,6 +10,7 @@
 #include <scree/core/available_memory.ipp>
 #include <scree/core/setting.ipp>
 #include <scree/fields/particles.ipp>
+#include <scree/laws/plausible.ipp>
 #include <scree/laws/response.ipp>
 #include <scree/laws/well_posedness.ipp>
 #include <scree/motion/consistent.ipp>

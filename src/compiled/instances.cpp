@@ -6,6 +6,7 @@
 #include <scree/checks/start_in_space.hpp>
 #include <scree/checks/thin_walls_in_space.hpp>
 #include <scree/granular/rigid_rotation.hpp>
+#include <scree/granular/viscous_share.hpp>
 #include <scree/io/point_columns.hpp>
 #include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>

@@ -18,6 +18,7 @@
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -434,6 +435,38 @@ TEMPLATE_TEST_CASE_SIG("walls that are so sparse that they are not on all sides 
   std::size_t const particles = floor.size();
   for (std::size_t k = 0; k + 1 < particles; ++k) pin[0] = double(k), pin[Dim - 1] = 5, floor.push_back(pin);
   CHECK(complaint_on<Dim>(floor) == "");
+}
+
+TEMPLATE_TEST_CASE_SIG("a sparse floor among many walls of the right spacing may not start", "", ((int Dim), Dim), 2,
+                       3) {
+  // A bed with thick sides along the first axis, and a floor of pins in two rows.
+  double const width = 4;
+  Box<Dim> bed{Vec<Dim, double>::Zero(), Vec<Dim, double>::Constant(0.8)};
+  bed.high[0] = width;
+  auto const material = fill_lattice(bed, 0.1);
+  auto sides = bed;
+  sides.low[0] = -4, sides.high[0] = width + 4;
+  Points<Dim> right;
+  for (auto const& x : fill_lattice(sides, 0.1))
+    if (x[0] < 0 || x[0] > width) right.push_back(x);
+  REQUIRE(right.size() > material.size());
+  auto const complaint_of = [&](double apart, bool has_sides) {
+    auto all = has_sides ? right : Points<Dim>();
+    auto below = bed;
+    below.low[Dim - 1] = -0.2 * apart, below.high[Dim - 1] = 0;
+    for (auto& x : fill_lattice(below, 0.1 * apart)) {
+      x[Dim - 1] += 0.05 * (apart - 1);  // the first row is half a spacing below the bed
+      all.push_back(x);
+    }
+    return complaint<Dim>(material, all, 0.1);
+  };
+  CHECK(complaint_of(1, true) == "");
+  CHECK(complaint_of(1, false) == "");
+  for (double const apart : {2.0, 4.0, 5.0}) {
+    INFO("floor of " << apart << " spacings");
+    CHECK_THAT(complaint_of(apart, true), ContainsSubstring("particles of a wall are too far apart"));
+    CHECK_THAT(complaint_of(apart, false), ContainsSubstring("are too far apart"));
+  }
 }
 
 TEST_CASE("the message on a wrong spacing has the median and a spacing that fits") {

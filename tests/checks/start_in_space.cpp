@@ -200,6 +200,10 @@ void check_faults() {
     if ((x.array() / 0.2 - (x.array() / 0.2).floor() < 0.5).all()) sparse.push_back(x);
   REQUIRE(sparse.size() > 20);
   refused(material, sparse, "the particles of walls are too far apart");
+  // The same under many walls of the right spacing, which are far away.
+  auto far = sparse;
+  for (int k = 0; k < 3; ++k) far = together<Dim>(far, moved<Dim>(wall, along<Dim>(0, 20 + 10 * k)));
+  refused(material, far, "the particles of a wall are too far apart");
   // Both ends of a period.
   refused(material, {}, "m from particle", 0.1, {{0, 0, 1.1}});
   refused(material, {}, "m from particle", 0.1, {{1, 0, 1.2}, {0, 0, 1.195 - 0.09}});

@@ -92,7 +92,7 @@ TEMPLATE_LIST_TEST_CASE("the support that walls have to fill is that of the solv
   };
   CHECK(sees_through(2.5, 3));
   CHECK(!sees_through(2.5, 4));
-  CHECK(sees_through(3, 3));
+  CHECK(sees_through(3, 4));
   CHECK(!sees_through(3, 5));
   CHECK(!sees_through(1.1, 2));
 }

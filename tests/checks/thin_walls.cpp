@@ -135,7 +135,7 @@ TEST_CASE("walls need rows for the support of the kernel, which is wider with a 
   };
   for (auto const& [support, rows, between, plate] :
        {Needs{2.2, 2, 4, 2}, Needs{3, 2, 4, 2}, Needs{3.4, 2, 4, 2}, Needs{4, 3, 4, 3}, Needs{4.5, 3, 6, 3},
-        Needs{5, 4, 6, 3}, Needs{6, 4, 8, 4}}) {
+        Needs{5, 4, 6, 3}, Needs{6, 5, 8, 4}}) {
     INFO("support " << support);
     for (int thick = 1; thick < 10; ++thick) {
       INFO(thick << " rows");

@@ -14,6 +14,8 @@
 #include <catch2/matchers/catch_matchers_string.hpp>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace scree::test::own_weight_tests {
 namespace {
@@ -39,7 +41,7 @@ void one_step(double density, double inclination = 0, bool checks = true) {
   SolverSettings<F> settings{.spacing = 0.02, .start_checks = checks};
   auto& mechanics = mechanics_of(settings.physics);
   mechanics.law.elastic = {5e3, 0, density};  // c^2 is 5e3/density
-  mechanics.law.grains = {1e-3};
+  mechanics.law.grains = {1e-3}, mechanics.law.grain_density = 5000;
   mechanics.gravity = {9.81, inclination};
   mechanics.largest_mach = 1e9;
   Solver<F>(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02)).step(1e-6);
@@ -56,6 +58,27 @@ TEST_CASE("a bed that its own weight would crush is refused, and a wrong unit is
   CHECK_THROWS_AS(one_step<Mixture>(2860), std::invalid_argument);
   CHECK_NOTHROW(one_step<Mixture>(2800));
   CHECK_NOTHROW(one_step<Sand>(2860, 0, false));
+}
+
+TEST_CASE("a bed that its own weight compresses by a tenth is warned of, once, and a stiffer one is not") {
+  auto const said = [](double young, double gravity) {
+    std::vector<std::string> all;
+    SolverSettings<Sand> settings{.spacing = 0.02, .warn = [&](std::string const& text) { all.push_back(text); }};
+    settings.physics.law = {.elastic = {young, 0, 1000}, .grains = {1e-3}};
+    settings.physics.gravity = {gravity};
+    Solver<Sand> solver(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02));
+    solver.check_start();
+    for (int n = 0; n < 3; ++n) solver.step(1e-6);
+    return all;
+  };
+  // 9.81 0.18/c^2 is 0.1 with c^2 = 17.66 m^2/s^2.
+  auto const soft = said(17.2e3, 9.81);
+  REQUIRE(soft.size() == 1);
+  CHECK_THAT(soft[0], ContainsSubstring("compresses the material by 10 % at its bottom") &&
+                          ContainsSubstring("12 sqrt(g H), 15.95 m/s, or more is recommended"));
+  CHECK(said(18e3, 9.81).empty());
+  CHECK(said(3e3, 1.62).empty());  // on the moon
+  CHECK(said(100, 0).empty());
 }
 
 TEST_CASE("the depth of a bed is its extent along gravity") {
@@ -78,7 +101,7 @@ void one_step_of_layers(double below, double above) {
   SolverSettings<Layers> settings{.spacing = 0.02};
   settings.physics.law = ByGroup<MuOfI<>>(layers);
   for (int k = 0; k < 2; ++k)
-    settings.physics.law.set(k, {.elastic = {5e3, 0, k == 0 ? below : above}, .grains = {1e-3}});
+    settings.physics.law.set(k, {.elastic = {5e3, 0, k == 0 ? below : above}, .grains = {1e-3}, .grain_density = 5000});
   settings.physics.largest_mach = 1e9;
   Solver<Layers>(settings, layers).step(1e-6);
 }
@@ -97,7 +120,8 @@ struct Mixed : Formulation<2> {
 /// One step of a mixture with densities of its species, whose concentrations nothing transports.
 void one_step_of_mixture(double density, Vec<2, double> const& concentrations) {
   SolverSettings<Mixed> settings{.spacing = 0.02};
-  settings.physics.law = {{.elastic = {5e3, 0, density}, .grains = {1e-3}}, {density, 2 * density}};
+  settings.physics.law = {{.elastic = {5e3, 0, density}, .grains = {1e-3}, .grain_density = 5000},
+                          {density, 2 * density}};
   settings.physics.largest_mach = 1e9;
   Solver<Mixed> solver(settings, fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02));
   solver.set(fields::concentrations<2>, [&](auto const&) { return concentrations; });

@@ -9,6 +9,7 @@
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/segregation/schlick_closure.hpp>
 #include <scree/segregation/size_ratio_closure.hpp>
+#include <scree/segregation/trewhela_closure.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/solver/solver.hpp>
 
@@ -209,6 +210,36 @@ TEST_CASE("a diameter of grains in mm is warned about, once, in every law and be
   CHECK(said(With<ByGroup<MuOfI<>>>{.law = law.set(0, millimetres)}) == 1);
   MuOfI<BidisperseGrains> const mixed{.elastic = sand.elastic, .grains = {1, 2}};
   CHECK(said(combine(With<MuOfI<BidisperseGrains>>{.law = mixed}, ConservativeSegregation<ConstantClosure>{})) == 1);
+}
+
+TEST_CASE("densities in g/cm^3 and an I0 in percent are warned about, once, in every law") {
+  auto const groups = Groups<2>().add("all", fill_lattice(box, spacing));
+  auto const said = [&](auto const& physics, char const* expected) {
+    std::string all;
+    Solver<Case<std::remove_cvref_t<decltype(physics)>>> solver(
+        {.spacing = spacing, .physics = physics, .warn = [&](std::string const& text) { all += text + '\n'; }}, groups);
+    solver.check_start();
+    for (int n = 0; n < 3; ++n) solver.step(1e-6);
+    auto const at = all.find(expected);
+    return at != std::string::npos && all.find(expected, at + 1) == std::string::npos;
+  };
+  MuOfI<> light = sand, percent = sand;
+  light.elastic.rest_density = 1.5, light.grain_density = 2.65, percent.I0 = 27.9;
+  char const *const of_density = "the density of the material is 1.5 kg/m^3", *const of_I0 = "with an I0 of 27.9";
+  CHECK(said(Granular<>{.law = light}, of_density));
+  CHECK(said(Granular<>{.law = percent}, of_I0));
+  CHECK(said(With<DruckerPrager>{.law = {light.elastic, {.friction = 0.4}}}, of_density));
+  ByGroup<MuOfI<>> law(groups);
+  CHECK(said(With<VolumeMemory<ByGroup<MuOfI<>>>>{.law = {law.set(0, percent)}}, of_I0));
+}
+
+TEST_CASE("grains of a closure that are lighter than the bed are refused") {
+  ConservativeSegregation<TrewhelaClosure> in_g_per_cm3{{.d_small = 1e-3, .d_large = 2e-3, .grain_density = 2.65}};
+  CHECK_THROWS_WITH(step(combine(Granular<>{.law = sand}, in_g_per_cm3)),
+                    StartsWith("scree: rest_density (kg/m^3) of the law must be at most the grain_density of the "
+                               "closure, 2.65 kg/m^3"));
+  in_g_per_cm3.closure.grain_density = 2650;
+  CHECK_NOTHROW(step(combine(Granular<>{.law = sand}, in_g_per_cm3)));
 }
 
 TEST_CASE("a closure that is used outside of what it was fitted to is warned about once") {

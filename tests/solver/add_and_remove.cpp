@@ -176,6 +176,24 @@ TEST_CASE("particles are not added where others are") {
   CHECK(solver.material().size() == before);
 }
 
+TEST_CASE("a particle that is in the way of new ones is named by its identity in the case") {
+  auto const wall = block<2>(2);
+  auto both = block<2>(0);
+  auto const first = int(both.size());
+  for (auto const& x : block<2>(1)) both.push_back(x);
+  Solver<Sand<OnHost>> solver({.spacing = dr, .physics = weightless(), .lost_share = 1}, both, wall);
+  solver.remove(LeftOf<basis_of<Sand<OnHost>>>{1});
+  auto const beside = [](Vec<2, double> const& x) { return Points<2>{{9, 9}, x + Vec<2, double>(0.004, 0)}; };
+  for (int const k : {0, 17, 35}) {
+    CHECK_THROWS_WITH(solver.add(beside(both[std::size_t(first + k)])),
+                      ContainsSubstring("particle 1 at ") &&
+                          ContainsSubstring("is 0.004 m from particle " + std::to_string(first + k) + " of those"));
+    CHECK_THROWS_WITH(solver.add(beside(wall[std::size_t(k)])),
+                      ContainsSubstring("particle 1 at ") &&
+                          ContainsSubstring("is 0.004 m from particle " + std::to_string(k) + " of the wall"));
+  }
+}
+
 TEST_CASE("rates of new particles are those of the present state") {
   auto solver = contracting<Sand<OnHost>>(block<2>(0));
   solver.run(0.002);

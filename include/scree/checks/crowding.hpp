@@ -22,11 +22,16 @@ struct Crowding {
   bool is_full = false;       ///< whether particles are on all sides
   double nearest = Kokkos::Experimental::infinity_v<double>;  ///< distance of the nearest neighbour, m
   std::size_t neighbour = 0;
+  std::size_t wall = 0;       ///< the nearest particle of a wall, if there is one
+  bool touches_wall = false;  ///< whether it is within 2 spacings
 
   static constexpr double most_density = 1.6;
   static constexpr double least_of_walls = 0.6;
+  static constexpr double sparse_fill = 0.4;
   /// Whether walls on the empty side of the particle have less than 0.6 of the volume that fills this side.
   SCREE_FN bool faces_too_little() const { return faces_walls && walls < least_of_walls; }
+  /// Whether `wall` may belong to a wall that is too sparse. The particles around it are within 3 spacings, too.
+  SCREE_FN bool may_face_sparse_wall() const { return touches_wall && faces_too_little(); }
   /// Whether a start is refused because of this particle: its nearest neighbour is less than a tenth of a spacing away,
   /// or its density is above a bound, by default 1.6.
   SCREE_FN bool is_wrong(double spacing, double bound = most_density) const {
@@ -113,6 +118,7 @@ class CrowdingSum {
     double const filled = volume * kernel_.at_zero * shape, by_number = kernel_.of_spacing * shape;
     found_.density += filled, found_.by_number += by_number;
     if (is_wall) {
+      if (squared < least_of_walls_) least_of_walls_ = squared, found_.wall = number;
       filled_by_walls_ += filled, numbers_of_walls_ += by_number;
       walls_.add(x, y, z, r, shape);
     } else {
@@ -136,6 +142,7 @@ class CrowdingSum {
     filled.add(walls_, left / numbers_of_walls_);
     found.judges_walls = filled.on_all_sides(kernel_.dimensions, kernel_.support());
     found.faces_walls = walls_.is_opposite(material_);
+    found.touches_wall = least_of_walls_ < 16.0 / 9 * kernel_.h * kernel_.h;
     return found;
   }
 
@@ -144,6 +151,7 @@ class CrowdingSum {
   Crowding found_;
   Surroundings material_, walls_;
   double filled_by_walls_ = 0, numbers_of_walls_ = 0, least_ = Kokkos::Experimental::infinity_v<double>;
+  double least_of_walls_ = Kokkos::Experimental::infinity_v<double>;
 };
 
 }  // namespace scree::detail

@@ -29,6 +29,8 @@ struct Packing {
   long at_walls = 0;       ///< number of particles that touch walls and have neighbours on all other sides
   long facing = 0;         ///< number of particles that have walls on the side that the material leaves empty
   long facing_little = 0;  ///< number of `facing` particles with less than 0.6 of the wall that fills that side
+  long facing_sparse =
+      0;             ///< number of those within 2 spacings of a wall particle that fills less than 0.4 of its space
   double walls = 1;  ///< median at walls of sum V W over walls, relative to what the material leaves of 1, at most 4
   double fill_of_walls = 1;  ///< median over wall particles of volume over the dim-th power of the distance to
                              ///< the nearest other wall particle (at most 3 spacings), at most 4
@@ -55,14 +57,19 @@ struct Packing {
   /// `fill_of_walls` is also considered, which is 1 on a square lattice and 0.87 on a hexagonal one. Walls are wrong if
   /// both values are above 1.15, or both are below 0.85, or if walls_are_sparse().
   bool walls_may_start() const {
-    if (walls_are_sparse()) return false;
+    if (walls_are_sparse() || a_wall_is_sparse()) return false;
     return at_walls < 8 || !((walls > 1.15 && fill_of_walls > 1.15) || (walls < 0.85 && fill_of_walls < 0.85));
   }
   /// Whether walls are so sparse that they may not be on all sides of the material beside them: 8 particles or more
   /// face walls, most of these have less than 0.6 of the volume of walls that fills their empty side, and
   /// `fill_of_walls` is below 0.4. `fill_of_walls` is 0.25 (in space 0.12) if the spacing of the walls is twice the
   /// right one, and 0.69 or more on lattices of the right spacing.
-  bool walls_are_sparse() const { return facing >= 8 && 2 * facing_little > facing && fill_of_walls < 0.4; }
+  bool walls_are_sparse() const {
+    return facing >= 8 && 2 * facing_little > facing && fill_of_walls < detail::Crowding::sparse_fill;
+  }
+  /// Whether one of several walls is too sparse, which a median over all walls does not show: 8 particles of the
+  /// material or more are beside it.
+  bool a_wall_is_sparse() const { return facing_sparse >= 8; }
   /// Whether particles are on a lattice of their spacing, in a layer whose surface has steps.
   bool is_stepped() const {
     return 2 * full < particles && fits(nearest, 0.01) && by_number >= 0.9 && by_number <= 1.05;
@@ -100,6 +107,9 @@ class PackingOfMany {
   void add(Crowding const& at, double spacing);
   /// Adds the volume of a wall particle, divided by the space that it has.
   void add_wall(double fill) { fill_of_walls_.push_back(fill); }
+  /// Adds that a particle that faces too little of a wall has a nearest particle of it with this volume over the space
+  /// that it has.
+  void add_facing(double fill) { facing_sparse_ += fill < Crowding::sparse_fill; }
   [[gnu::cold]] void add(PackingOfMany const& other);
   /// Returns the medians over all ranks of the case, which call this function together; `sum` adds up over the ranks.
   [[gnu::cold]] Packing of_all(std::function<long(long)> const& sum) const;
@@ -110,7 +120,7 @@ class PackingOfMany {
                                        int twentieths = 10);
 
   std::vector<double> nearest_, volume_, density_, by_number_, walls_, fill_of_walls_;
-  long facing_ = 0, facing_little_ = 0;
+  long facing_ = 0, facing_little_ = 0, facing_sparse_ = 0;
 };
 
 }  // namespace detail

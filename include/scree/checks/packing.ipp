@@ -33,7 +33,7 @@ SCREE_BODY void detail::PackingOfMany::add(PackingOfMany const& other) {
   append(nearest_, other.nearest_), append(volume_, other.volume_);
   append(density_, other.density_), append(by_number_, other.by_number_), append(walls_, other.walls_);
   append(fill_of_walls_, other.fill_of_walls_);
-  facing_ += other.facing_, facing_little_ += other.facing_little_;
+  facing_ += other.facing_, facing_little_ += other.facing_little_, facing_sparse_ += other.facing_sparse_;
 }
 
 SCREE_BODY Packing detail::PackingOfMany::of_all(std::function<long(long)> const& sum) const {
@@ -46,6 +46,7 @@ SCREE_BODY Packing detail::PackingOfMany::of_all(std::function<long(long)> const
   }
   found.at_walls = sum(long(walls_.size()));
   found.facing = sum(facing_), found.facing_little = sum(facing_little_);
+  found.facing_sparse = sum(facing_sparse_);
   if (found.at_walls > 0) found.walls = quantile(walls_, sum);
   if (found.at_walls + found.facing > 0) found.fill_of_walls = quantile(fill_of_walls_, sum);
   return found;
@@ -94,6 +95,13 @@ SCREE_BODY std::string fault_of_walls(Packing const& packing, double spacing, st
         "settings.spacing, %.6g m?",
         where.c_str(), packing.fill_of_walls, packing.facing_little, packing.facing, detail::Crowding::least_of_walls,
         spacing);
+  if (packing.a_wall_is_sparse())
+    return detail::formatted(
+        "scree: %s the particles of a wall are too far apart: beside %ld particles of the material, which see less "
+        "than "
+        "%.4g of the wall that belongs there, their volumes are less than %.4g times the space that they have: are "
+        "spacing and volumes of this wall those that belong to settings.spacing, %.6g m?",
+        where.c_str(), packing.facing_sparse, detail::Crowding::least_of_walls, detail::Crowding::sparse_fill, spacing);
   return detail::formatted(
       "scree: %s the particles of walls fill %.4g times the space that the material leaves to them, and their volumes "
       "are %.4g times the space that they have themselves (medians; from 0.85 to 1.15 is allowed): are spacing and "

@@ -136,6 +136,7 @@ SCREE_BODY void check_start(PlacedParticles const& all, std::size_t owned, doubl
                        if (at.nearest > 1.5 * spacing) ++found.alone, found.last_alone = std::max(found.last_alone, i);
                        if (at.is_wrong(spacing, words.most_density)) found.wrong = i;
                        found.packing.add(at, spacing);
+                       if (at.may_face_sparse_wall()) found.packing.add_facing(look.fill_of_wall(at.wall));
                        return found.wrong == none;
                      });
     return found.wrong == none;

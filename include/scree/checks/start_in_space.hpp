@@ -15,16 +15,28 @@
 // The checks of check_start() and packing_of() in the execution space that has the particles.
 namespace scree::detail {
 
+/// StartLook::fill_of_wall() of a wall particle.
+SCREE_FN double fill_of_wall(SpotsView const& cells, PackingKernel const& kernel, int first_wall, int i,
+                             Spot const& here) {
+  double least = kernel.support() * kernel.support();
+  cells.for_each_near(here.x, [&](int j, Spot const&, double, double, double, double squared) {
+    if (j >= first_wall && (j != i || squared > 0)) least = Kokkos::min(least, squared);
+    return true;
+  });
+  return here.volume / kernel.volume(Kokkos::sqrt(least));
+}
+
 /// A reduction that writes the packing around all particles of the material to arrays. Values that do not belong to a
 /// median are infinite.
 struct LookAtSpots {
   struct value_type {
     std::int64_t wrong;                // of a particle with a fault: lowest number in its cell * 2^32 + its own number
     int looked_at, alone, last_alone;  // `alone`: those without a neighbour within 1.5 spacings
-    int full, at_walls, facing, facing_little;
+    int full, at_walls, facing, facing_little, facing_sparse;
   };
   static constexpr std::int64_t none = Kokkos::Experimental::finite_max_v<std::int64_t>;
 
+  double sparse = Crowding::sparse_fill;
   SpotsView cells;
   PackingKernel kernel;
   double spacing;
@@ -32,10 +44,12 @@ struct LookAtSpots {
   bool stops_at_faults;
   Span<char const> counted;  // empty: all
   Span<double> nearest, volume, density, by_number, walls;
+  Span<Spot const> spots;
 
   SCREE_FN void init(value_type& found) const {
     found.wrong = none;
     found.looked_at = found.alone = found.full = found.at_walls = found.facing = found.facing_little = 0;
+    found.facing_sparse = 0;
     found.last_alone = -1;
   }
   SCREE_FN void join(value_type& found, value_type const& other) const {
@@ -43,6 +57,7 @@ struct LookAtSpots {
     found.looked_at += other.looked_at, found.alone += other.alone;
     found.full += other.full, found.at_walls += other.at_walls;
     found.facing += other.facing, found.facing_little += other.facing_little;
+    found.facing_sparse += other.facing_sparse;
     found.last_alone = Kokkos::max(found.last_alone, other.last_alone);
   }
   SCREE_FN void operator()(int k, value_type& found) const {
@@ -60,6 +75,8 @@ struct LookAtSpots {
     if (at.is_full) ++found.full, density(i) = at.density, by_number(i) = at.by_number;
     if (at.judges_walls) ++found.at_walls, walls(i) = at.walls;
     found.facing += at.faces_walls, found.facing_little += at.faces_too_little();
+    if (at.may_face_sparse_wall())
+      found.facing_sparse += fill_of_wall(cells, kernel, first_wall, int(at.wall), spots(int(at.wall))) < sparse;
   }
 
  private:
@@ -83,13 +100,7 @@ struct FillsOfWalls {
   Span<double> fills;
   SCREE_FN void operator()(int k) const {
     int const i = first_wall + int(std::int64_t(k) * walls / some);
-    Spot const here = spots(i);
-    double least = kernel.support() * kernel.support();
-    cells.for_each_near(here.x, [&](int j, Spot const&, double, double, double, double squared) {
-      if (j >= first_wall && (j != i || squared > 0)) least = Kokkos::min(least, squared);
-      return true;
-    });
-    fills(k) = here.volume / kernel.volume(Kokkos::sqrt(least));
+    fills(k) = fill_of_wall(cells, kernel, first_wall, i, spots(i));
   }
 };
 
@@ -197,8 +208,19 @@ class StartIn {
     for (Numbers* const each : {&nearest_, &volume_, &density_, &by_number_, &walls_})
       *each = {space(), "scree::packing", std::size_t(spots_.owned)};
     return reduce(space(), "scree::packing", spots_.all.size(),
-                  LookAtSpots{cells_.view(), kernel_, spacing_, spots_.owned, first_wall, stops_at_faults, counted,
-                              nearest_, volume_, density_, by_number_, walls_});
+                  LookAtSpots{.cells = cells_.view(),
+                              .kernel = kernel_,
+                              .spacing = spacing_,
+                              .owned = spots_.owned,
+                              .first_wall = first_wall,
+                              .stops_at_faults = stops_at_faults,
+                              .counted = counted,
+                              .nearest = nearest_,
+                              .volume = volume_,
+                              .density = density_,
+                              .by_number = by_number_,
+                              .walls = walls_,
+                              .spots = spots_.all});
   }
   double quantile_of(Numbers const& values, int members, int twentieths = 10) const {
     return quantile(
@@ -211,6 +233,7 @@ class StartIn {
     Packing packing;
     packing.particles = found.looked_at, packing.full = found.full, packing.at_walls = found.at_walls;
     packing.facing = found.facing, packing.facing_little = found.facing_little;
+    packing.facing_sparse = found.facing_sparse;
     if (found.looked_at > 0)
       packing.nearest = quantile_of(nearest_, found.looked_at), packing.volume = quantile_of(volume_, found.looked_at);
     if (found.full > 0) {

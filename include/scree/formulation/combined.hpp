@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../core/tuple.hpp"
+#include "../laws/plausible.hpp"
 #include "../passes/fuse.hpp"
 #include "../passes/limit.hpp"
 #include "../passes/stage.hpp"
@@ -23,6 +24,10 @@ namespace detail {
 template <class Transport, class Mechanics>
 concept TakesMechanics = requires(Transport const& transport, Mechanics const& mechanics) {
   transport.passes_with(mechanics, Resolution{});
+};
+template <class Mechanics, class Transport>
+concept KnowBedAndGrains = requires(Mechanics const& mechanics, Transport const& transport) {
+  double(mechanics.law.density() + transport.closure.grain_density);
 };
 template <class Physics>
 inline constexpr bool has_filters =
@@ -92,6 +97,11 @@ struct Combined {
   /// Throws std::invalid_argument if the mechanics refuses a bed of this depth (m), see Granular::check_depth().
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
   { mechanics.check_depth(depth); }
+  /// Returns the warning of the mechanics about a bed of this depth (m), see Granular::warning_of_depth().
+  std::string warning_of_depth(double depth) const requires requires(Mechanics const& each) {
+    each.warning_of_depth(depth);
+  }
+  { return mechanics.warning_of_depth(depth); }
   /// The warnings of both models, a line each; empty if there are none.
   std::string warning() const {
     return in_lines([](auto const& model) {
@@ -133,13 +143,16 @@ struct Combined {
   }
   { return mechanics.template reaction_passes<Body>(resolution); }
 
-  /// Throws std::invalid_argument if a setting of a model or the period is out of range.
+  /// Throws std::invalid_argument if a setting of a model or the period is out of range, or if the closure has grains
+  /// of a lower density than the bed.
   void check() const {
     check_settings_of(mechanics);
     check_settings_of(transport);
     check_setting(period >= 1, "period (steps) of the transport in Combined", period, "1 or more");
     if constexpr (GivesSpeciesDensities<Mechanics> && detail::HasDensitiesOfClosure<Transport>)
       detail::check_same_densities(mechanics.species_densities(), transport.closure.densities);
+    if constexpr (detail::KnowBedAndGrains<Mechanics, Transport>)
+      detail::check_density_of_bed(mechanics.law.density(), transport.closure.grain_density, "the closure");
   }
   /// The limits of the step of both models. A limit of the transport covers `period` steps. Throws as the limits of the
   /// two models do.

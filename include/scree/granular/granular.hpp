@@ -4,6 +4,7 @@
 
 #include "../core/setting.hpp"
 #include "../core/tuple.hpp"
+#include "../laws/plausible.hpp"
 #include "../laws/relative_density.hpp"
 #include "../laws/response.hpp"
 #include "../laws/strength.hpp"
@@ -24,6 +25,7 @@
 #include "rigid_rotation.hpp"
 #include "several_materials.hpp"
 #include "validity.hpp"
+#include "viscous_share.hpp"
 
 #include <limits>
 #include <string>
@@ -198,9 +200,14 @@ struct Granular {
           "lengths (m); if it is meant, set `start_checks = false`",
           g * depth, depth, c));
   }
+  /// Returns the warning of a bed with a depth (m) that its weight compresses by a tenth or more, for laws of constant
+  /// stiffness; empty for others.
+  std::string warning_of_depth(double depth) const {
+    return detail::warning_of_soft_bed(depth, std::abs(gravity.magnitude), uniform_sound_speed());
+  }
   /// Returns the warnings, one per line, about gravity that acts upwards, a law without strength
-  /// (is_without_strength()), and a law that is ill-posed at every inertial number (is_never_well_posed()); empty if
-  /// there are none.
+  /// (is_without_strength()), a law that is ill-posed at every inertial number (is_never_well_posed()), and parameters
+  /// of a law that are hardly meant (doubts_of_law()); empty if there are none.
   [[gnu::cold]] std::string warning() const {
     std::string text;
     auto const add = [&](std::string const& line) { text += (text.empty() ? "" : "\n") + line; };
@@ -213,11 +220,12 @@ struct Granular {
       add("scree: warning: the cone of the law has neither friction nor cohesion, so that the material flows like a "
           "liquid; set it, for instance `.cone = plane_strain_cone({.friction_angle = 0.52})` (rad)");
     if (is_never_well_posed(law)) add(ill_posed);
+    if (auto const doubts = doubts_of_law(law, gravity.magnitude); !doubts.empty()) add(doubts);
     return text;
   }
   /// Returns the warnings about the state of the material (WholeBody): one if the law has a circular cone in 3D and the
-  /// material yields far from plane shear, and one if the material rotates as a rigid body with PlainStrain. An entry
-  /// is empty if there is nothing to warn about.
+  /// material yields far from plane shear, one if the material rotates as a rigid body with PlainStrain, and one if
+  /// PlainViscosity rules the flow. An entry is empty if there is nothing to warn about.
   template <class Whole>
   [[gnu::cold]] std::vector<std::string> warnings_of_state(Whole const& body) const {
     constexpr int dim = Whole::policy::dim;
@@ -226,6 +234,10 @@ struct Granular {
       all.push_back(warning_beside_cone(beside_cone(law, body)));
     if constexpr (!Models::strain::corrected && !granular::IsObjective<typename Models::strain>)
       all.push_back(warning_of_rotation(rigid_rotation(body.untyped()), body.time()));
+    if constexpr (has_one_density && std::is_same_v<typename Models::viscosity, PlainViscosity>)
+      if (!is_without_strength(law))
+        all.push_back(warning_of_viscosity(
+            viscous_share(body.untyped(), viscosity_speed, law.density(), gravity.magnitude), viscosity_speed));
     return all;
   }
   /// Returns the limits on the time step from the speed of sound, the acceleration and the viscosity. Throws

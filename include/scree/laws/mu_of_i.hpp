@@ -4,6 +4,7 @@
 
 #include "elastic.hpp"
 #include "grains.hpp"
+#include "plausible.hpp"
 #include "relative_density.hpp"
 #include "return_mapping.hpp"
 
@@ -49,7 +50,7 @@ struct MuOfI {
   double mu_s = 0.382;                            ///< tangent of a friction angle, 0 to 10
   double mu_d = 0.682;                            ///< mu_s to 10
   double I0 = 0.279;
-  double grain_density = 2500;   ///< rho_s
+  double grain_density = 2500;   ///< rho_s, at least the density of `elastic`
   double regularisation = 1e-3;  ///< lambda
 
   using reads = Merge<Fields<ShearRate>, reads_of<GrainModel>>;
@@ -75,6 +76,7 @@ struct MuOfI {
       check_setting(mu <= largest_friction, name, mu,
                     "at most 10: it is the tangent of a friction angle, not the angle in degrees");
     check_setting(mu_d >= mu_s, "mu_d (-) of MuOfI", mu_d, "mu_s or more");
+    detail::check_density_of_bed(elastic.rest_density, grain_density, "MuOfI");
   }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }

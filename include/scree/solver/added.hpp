@@ -131,7 +131,8 @@ std::vector<typename P::real> volumes_at(std::vector<X> const& points, double sp
 }
 /// Throws std::invalid_argument if new particles of the material would overlap with each other or with those of any
 /// body, or if their distances or volumes (m^dim) do not fit the spacing. Walls and rigid bodies come first, with
-/// `at_walls`; then the message is not about material that is there too.
+/// `at_walls`; then the message is not about material that is there too. It names new particles by their indices and
+/// others by their identities.
 template <class Sys, class Settings, class X, class V>
 [[gnu::cold]] void check_added(Sys const& system, Settings const& settings, std::vector<X> const& points,
                                std::vector<V> const& volumes, StartWords const& words, StartWords at_walls) {
@@ -139,13 +140,18 @@ template <class Sys, class Settings, class X, class V>
   PlacedParticles placed;
   placed.add(points, 0.0);
   placed.volumes.assign(volumes.begin(), volumes.end());
+  placed.numbers = numbers_from(0, points);
   auto const near = near_to(points, 3 * settings.spacing, settings.periods);
   auto const check = [&](StartWords words_of_it) {
     words_of_it.judges_packing = false;
     check_start(placed, points.size(), settings.spacing, dim, settings.periods, words_of_it);
   };
   auto const add = [&]<class Body>() {
-    placed.add(system.template whole<Body>().untyped(), pick(system.template body<Body>(), near));
+    auto const whole = system.template whole<Body>();
+    auto const picked = pick(whole.here(), near);
+    placed.add(whole.untyped(), picked);
+    auto const identities = whole.order(picked).of(whole.here().to_host(fields::identity, picked));
+    placed.numbers.insert(placed.numbers.end(), identities.begin(), identities.end());
   };
   at_walls.may_be_sparse = true;  // there may be material around them
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
@@ -162,7 +168,7 @@ template <class Sys, class Settings, class X, class V>
   check(words);
   if (words.may_be_sparse) return;
   // The particles that are already there may be loose.
-  placed.places.resize(points.size()), placed.volumes.resize(points.size());
+  placed.places.resize(points.size()), placed.volumes.resize(points.size()), placed.numbers.resize(points.size());
   Packing const packing = packing_of(placed, points.size(), settings.spacing, dim, settings.periods);
   if (!packing.can_tell()) return;
   auto const fault = fault_of_packing(packing, settings.spacing, dim, words.when);

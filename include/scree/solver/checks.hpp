@@ -52,6 +52,12 @@ constexpr bool carry_stress(Bodies<Bs...>) {
   return (OneOf<Stress, scree::carried_fields<P, Bs>> && ...);
 }
 
+/// A model that warns of a bed of a depth (m).
+template <class Physics>
+concept WarnsOfDepth = requires(Physics const& physics) {
+  physics.warning_of_depth(0.0);
+};
+
 /// Checks of positions on the host.
 template <class P>
 class PositionChecks {
@@ -62,23 +68,24 @@ class PositionChecks {
     if (!std::is_same_v<typename P::real, float> || !settings.start_checks) return;
     stop_for(fault_of_precision(farthest, settings.spacing), steps);
   }
-  /// Throws std::invalid_argument as require_all_set() and check_start() do.
+  /// Throws std::invalid_argument as require_all_set() and check_start() do; with `warns` it also warns of a soft bed.
   template <class Sys>
-  [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings) {
+  [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings, bool warns = false) {
     for_each_body(typename P::bodies{}, [&]<class Body>() { require_all_set<P, Body>(system.template body<Body>()); });
     if (!settings.start_checks) return;
     if constexpr (!on_host<typename P::space>)
-      if (start_in_space(system, settings)) return;
+      if (start_in_space(system, settings, warns)) return;
     Places const here = places(system, settings);
     check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
-    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.whole_case()); });
+    check_depth(settings, warns && system.whole_case().reports(),
+                [&](auto const& g) { return extent_along(g, here.all, here.owned, system.whole_case()); });
   }
   /// Checks positions as start() does, where the particles are. Returns false if the host has to.
   template <class Sys>
-  [[gnu::cold]] static bool start_in_space(Sys const& system, SolverSettings<P> const& settings) {
+  [[gnu::cold]] static bool start_in_space(Sys const& system, SolverSettings<P> const& settings, bool warns = false) {
     return look_in_space<P>(system, settings, [&](auto& look) {
       look.check_start();
-      check_depth(settings, [&](auto const& g) {
+      check_depth(settings, warns && system.whole_case().reports(), [&](auto const& g) {
         return look.extent_along({double(g[0]), double(g[1]), P::dim == 3 ? double(g[P::dim - 1]) : 0.0});
       });
     });
@@ -155,12 +162,17 @@ class PositionChecks {
   }
   /// Checks the depth along gravity, extent(g) in m, where the physics model can.
   template <class Extent>
-  [[gnu::cold]] static void check_depth([[maybe_unused]] SolverSettings<P> const& settings,
+  [[gnu::cold]] static void check_depth([[maybe_unused]] SolverSettings<P> const& settings, [[maybe_unused]] bool warns,
                                         [[maybe_unused]] Extent const& extent) {
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       auto const& physics = physics_of_body<Body>(settings.physics);
-      if constexpr (requires { physics.check_depth(0.0); })
-        physics.check_depth(extent(gravity_of(physics).template vector<Vec<P::dim, double>>()));
+      if constexpr (requires { physics.check_depth(0.0); }) {
+        double const depth = extent(gravity_of(physics).template vector<Vec<P::dim, double>>());
+        physics.check_depth(depth);
+        if constexpr (WarnsOfDepth<std::remove_cvref_t<decltype(physics)>>)
+          if (auto const text = physics.warning_of_depth(depth); !text.empty() && warns && settings.warn)
+            settings.warn(text);
+      }
     });
   }
   /// Particles for checks of positions: those of the whole case or, where not all are here, these and those that are

@@ -109,20 +109,20 @@ template <class P>
 void check_precision(SolverState<P> const& state) {
   PositionChecks<P>::precision(state.farthest(), state.settings, state.clock.steps);
 }
-/// Checks the particles before the first step.
+/// Checks the particles before the first step; with `warns` it also warns of them.
 template <class P>
-void check_particles(SolverState<P>& state) {
+void check_particles(SolverState<P>& state, bool warns = false) {
   state.system.settle_shares();
   check_precision(state);
   if constexpr (has_rigid_bodies<typename P::bodies>)
     if (state.settings.start_checks) state.rigid.check_start(state.settings.spacing);
-  PositionChecks<P>::start(state.system, state.settings);
+  PositionChecks<P>::start(state.system, state.settings, warns);
 }
 /// Checks the particles before the first step unless they were checked or restored before.
 template <class P>
 void check_start_once(SolverState<P>& state) {
   if (state.started) return;
-  check_particles(state);
+  check_particles(state, true);
   state.started = true;
 }
 
