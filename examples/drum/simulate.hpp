@@ -3,18 +3,21 @@
 #pragma once
 
 #include "models.hpp"
+#include "points.hpp"
 #include "results.hpp"
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/profile.hpp>
 #include <scree/app/run_ranks.hpp>
-#include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/point_data_of.hpp>
 #include <scree/mixing/lacey.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
+#include <scree/setup/cast.hpp>
+#include <scree/setup/geostatic.hpp>
+#include <scree/solver/solver.hpp>
 #include <scree/surface/detect.hpp>
 #include <scree/terms/consistent_gradient.hpp>
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "../snapshots/snapshot.hpp"
-#include "command_line.hpp"
 
 #include <concepts>
 #include <exception>
@@ -14,6 +13,8 @@
 #include <utility>
 
 namespace scree::app {
+
+struct CommandLine;  // command_line.hpp
 
 /// Ends a program that has written its preview: an exit code of 0, and no message.
 struct PreviewWritten {};

@@ -2,31 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "cases.hpp"
 #include "schema.hpp"
 
-// How a case program is compiled decides whether its cases may be divided into ranks (docs/distributed.md): with
-// SCREE_MPI defined the ranks are processes of mpirun or threads, with SCREE_RANKS threads; without either a case is
-// whole. Everything that depends on it is in an inline namespace of that name: the files of a program may differ in it,
-// and a linker would otherwise merge functions and classes of the same name.
-#ifdef SCREE_MPI
-#define SCREE_RANKS
-#define SCREE_CASES cases_on_mpi
-#elif defined(SCREE_RANKS)
-#define SCREE_CASES cases_on_threads
-#else
-#define SCREE_CASES whole_cases
-#endif
+#include <functional>
+#include <string>
+#include <utility>
 
 namespace scree::app {
-
-inline namespace SCREE_CASES {
-/// Whether the program runs one case on several ranks.
-#ifdef SCREE_RANKS
-inline constexpr bool has_ranks = true;
-#else
-inline constexpr bool has_ranks = false;
-#endif
-}  // namespace SCREE_CASES
 
 /// The option that tells how many ranks a case has:
 ///     .add("ranks", &Numerics::ranks, app::about_ranks())

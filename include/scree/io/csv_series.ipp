@@ -4,6 +4,7 @@
 
 #include "../core/compiled.hpp"
 #include "csv_series.hpp"
+#include "write_file.hpp"
 
 #include <fmt/ranges.h>
 
