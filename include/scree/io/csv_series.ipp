@@ -4,7 +4,6 @@
 
 #include "../core/compiled.hpp"
 #include "csv_series.hpp"
-#include "write_file.hpp"
 
 #include <fmt/ranges.h>
 
