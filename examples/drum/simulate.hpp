@@ -25,6 +25,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 // The rotating drum of Zhu, Peng & Wu (2024), section 6: granular flow by mu(I), and segregation driven by its shear.
 namespace drum {
@@ -176,7 +178,8 @@ scree::PointData frame_of(S& solver, Options const& o) {
   auto frame = scree::point_data_of(solver, FrameFields<Sizes>{}, scree::Bodies<scree::Material, scree::Wall>{});
   if constexpr (is_list<Sizes>)  // absent species
     for (int k = o.species.count() + 1; k <= ListOfSizes::species; ++k)
-      std::erase_if(frame.arrays, [&](auto const& array) { return array.name == fmt::format("concentration_{}", k); });
+      std::erase_if(frame.arrays,
+                    [&](auto const& array) { return array.name == "concentration_" + std::to_string(k); });
   return frame;
 }
 

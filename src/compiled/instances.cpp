@@ -7,6 +7,7 @@
 #include <scree/checks/thin_walls_in_space.hpp>
 #include <scree/granular/rigid_rotation.hpp>
 #include <scree/io/point_columns.hpp>
+#include <scree/motion/instances.hpp>
 #include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/setup/shapes/primitives.hpp>

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 // The execution space of loops and the memory space of their arrays. An instance of an execution space runs its loops
 // one after another. Loops of another instance may run at the same time.
@@ -28,8 +29,7 @@ inline constexpr bool runs_on_host = on_host<typename P::space>;
 class ProfilingRegion {
  public:
   /// Begins a region with this name.
-  template <class Name>
-  explicit ProfilingRegion(Name const& name) : is_seen_(Kokkos::Profiling::profileLibraryLoaded()) {
+  explicit ProfilingRegion(std::string_view name) : is_seen_(Kokkos::Profiling::profileLibraryLoaded()) {
     if (is_seen_) Kokkos::Profiling::pushRegion(std::string(name));
   }
   ProfilingRegion(ProfilingRegion const&) = delete;

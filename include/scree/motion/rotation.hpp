@@ -69,3 +69,5 @@ struct Rotation {
 };
 
 }  // namespace scree
+
+#include "instances.hpp"
