@@ -5,7 +5,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
-#include <scree/app/species_list.hpp>
+#include <scree/app/species_section.hpp>
 #include <scree/app/start.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "case.hpp"
 
-#include <scree/app/json.hpp>
 #include <scree/app/program.hpp>
 #include <scree/app/say.hpp>
+#include <scree/app/summary.hpp>
 #include <scree/io/write_file.hpp>
 
 namespace column_collapse {

@@ -7,12 +7,15 @@
 #include <scree/app/list_of_sizes.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/motion/rotation.hpp>
-#include <scree/scree.hpp>
+#include <scree/segregation/conservative.hpp>
+#include <scree/segregation/constant_closure.hpp>
+#include <scree/segregation/hybrid.hpp>
 #include <scree/segregation/schlick_closure.hpp>
+#include <scree/segregation/shear_rate_closure.hpp>
 #include <scree/segregation/trewhela_closure.hpp>
-#include <scree/setup/setup.hpp>
+#include <scree/system/periodic.hpp>
 
-// Converts the options of a case to models and particles of the library, in SI units.
+// Converts the options of a case to models of the library, in SI units.
 namespace drum {
 
 template <class Grains>
@@ -145,56 +148,6 @@ struct ListOfSizes : scree::app::ListOfSizes {
 
 /// Clockwise in the plane of x (right) and z (up).
 inline scree::Rotation motion(Options const& o) { return {.rate = -angular_velocity(o)}; }
-
-/// The walls have the number of rows that the support needs.
-inline int wall_rows(Options const& o) { return static_cast<int>(std::ceil(2 * o.numerics.smoothing)); }
-
-template <int Dim>
-struct Points {
-  std::vector<scree::Vec<Dim, double>> material, wall;
-  std::vector<double> volumes;  // of the material, m^Dim
-};
-
-/// The interior of the drum.
-template <int Dim>
-auto inside(Options const& o) {
-  double const R = o.geometry.radius, length = o.geometry.length;
-  if constexpr (Dim == 2)
-    return scree::Ball<2>{.centre = {0, 0}, .radius = R};
-  else
-    return scree::Cylinder{.axis = 1, .centre = {0, 0, 0}, .radius = R, .from = -length / 2, .to = length / 2};
-}
-
-template <int Dim>
-auto wall_points(Options const& o) {
-  auto const shape = inside<Dim>(o);
-  if constexpr (Dim == 2) {
-    return scree::wall_rings(shape, o.numerics.spacing, wall_rows(o));
-  } else {
-    auto const ends = o.geometry.ends == Ends::walled ? scree::EndWalls::discs : scree::EndWalls::none;
-    return scree::wall_rings(shape, o.numerics.spacing, wall_rows(o), ends);
-  }
-}
-
-/// The bed fills the drum up to a level surface.
-template <int Dim>
-Points<Dim> points(Options const& o) {
-  double const dr = o.numerics.spacing;
-  scree::Vec<Dim, double> top = scree::Vec<Dim, double>::Zero(), up = top;
-  top[Dim - 1] = initial_level(o);
-  up[Dim - 1] = 1;
-  scree::HalfSpace<Dim> const below{.point = top, .normal = up};
-  Points<Dim> result{.material = {}, .wall = wall_points<Dim>(o), .volumes = {}};
-  if (o.numerics.filling == Filling::rings) {
-    auto filled = scree::fill_rings(inside<Dim>(o), dr, below);
-    result.material = std::move(filled.points);
-    result.volumes = std::move(filled.volumes);
-  } else {
-    result.material = scree::fill_lattice(inside<Dim>(o) & below, dr);
-    result.volumes.assign(result.material.size(), std::pow(dr, Dim));
-  }
-  return result;
-}
 
 template <int Dim>
 std::vector<scree::Period> periods(Options const& o) {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "view.hpp"
+#include "options.hpp"
+#include "state.hpp"
 
 #include <scree/app/figures.hpp>
-#include <scree/app/start.hpp>
+#include <scree/app/run.hpp>
 #include <scree/io/point_data.hpp>
 
 #include <functional>

@@ -7,6 +7,7 @@
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/memory.hpp>
 #include <scree/app/ranks.hpp>
+#include <scree/app/species_section.hpp>
 #include <scree/granular/granular.hpp>
 #include <scree/segregation/constant_closure.hpp>
 #include <scree/segregation/shear_rate_closure.hpp>

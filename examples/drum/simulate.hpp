@@ -2,19 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "columns.hpp"
 #include "models.hpp"
+#include "points.hpp"
 #include "results.hpp"
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/profile.hpp>
 #include <scree/app/run_ranks.hpp>
-#include <scree/app/say.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/point_data_of.hpp>
 #include <scree/mixing/lacey.hpp>
 #include <scree/run/progress.hpp>
 #include <scree/run/run_with.hpp>
+#include <scree/setup/cast.hpp>
+#include <scree/setup/geostatic.hpp>
+#include <scree/solver/solver.hpp>
 #include <scree/surface/detect.hpp>
 #include <scree/terms/consistent_gradient.hpp>
 
@@ -22,6 +26,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 // The rotating drum of Zhu, Peng & Wu (2024), section 6: granular flow by mu(I), and segregation driven by its shear.
 namespace drum {
@@ -54,47 +60,6 @@ struct Diagnostics {
 
 namespace detail {
 
-/// One component of vectors; axis 0 is x, 1 y (empty in 2D), 2 z.
-template <class Vectors>
-std::vector<double> component(Vectors const& vectors, int axis) {
-  constexpr int dim = Vectors::value_type::RowsAtCompileTime;
-  std::vector<double> values;
-  if (dim == 2 && axis == 1) return values;
-  for (auto const& v : vectors) values.push_back(double(v[axis == 2 ? dim - 1 : axis]));
-  return values;
-}
-template <class Values>
-std::vector<double> doubles(Values const& values) {
-  return {values.begin(), values.end()};
-}
-/// xx, yy, zz, xy, yz, xz of each particle.
-template <int Dim, class Stresses>
-std::vector<double> stresses(Stresses const& given) {
-  std::vector<double> all;
-  for (auto const& sigma : given) {
-    auto const entries = scree::in_space<Dim, scree::Stress>(sigma);
-    all.insert(all.end(), entries.begin(), entries.end());
-  }
-  return all;
-}
-
-/// The parts of dC/dt of figures 28 and 29: -F ghat . grad V, -V F' ghat . grad C and what remains, diffusion with the
-/// sources of the boundary.
-template <class All>
-void add_rates(State& state, All const& all, scree::SegregationFlux const& flux, scree::GravityDirection const& down) {
-  using namespace scree::fields;
-  auto const grad_C = all(gradient<scree::Concentration>);
-  auto const grad_V = all(gradient<scree::SegregationVelocity>);
-  auto const rate = all(concentration_rate);
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    double const by_V = -flux.value(state.C[i]) * double(down.component(grad_V[i]));
-    double const by_C = -state.V[i] * flux.slope(state.C[i]) * double(down.component(grad_C[i]));
-    state.gradient_V_rate.push_back(by_V);
-    state.gradient_C_rate.push_back(by_C);
-    state.diffusion_rate.push_back(double(rate[i]) - by_V - by_C);
-  }
-}
-
 /// The concentrations of a list of sizes. There are no parts of dC/dt.
 template <class All>
 void add_species(State& state, All const& all, app::SpeciesList const& list) {
@@ -113,7 +78,7 @@ void add_species(State& state, All const& all, app::SpeciesList const& list) {
 template <class Sizes, class S>
 State state_of(S& solver, Options const& o) {
   using namespace scree::fields;
-  using namespace detail;
+  using Of = Columns<S::policy::dim, typename S::policy::real>;
   solver.update_rates();
   solver.update_diagnostics();
   auto const material = solver.whole();
@@ -123,21 +88,23 @@ State state_of(S& solver, Options const& o) {
   State state;
   state.time = solver.time();
   state.steps = solver.steps();
-  state.x = component(x, 0), state.y = component(x, 1), state.z = component(x, 2);
-  state.u = component(u, 0), state.v = component(u, 1), state.w = component(u, 2);
-  state.shear_rate = doubles(all(shear_rate));
-  state.number_density = doubles(all(number_density));
+  state.x = Of::component(x, 0), state.y = Of::component(x, 1), state.z = Of::component(x, 2);
+  state.u = Of::component(u, 0), state.v = Of::component(u, 1), state.w = Of::component(u, 2);
+  state.shear_rate = Of::doubles(all(shear_rate));
+  state.number_density = Of::doubles(all(number_density));
   for (double& phi : state.number_density) phi /= solver.resolution().lattice_sum;
-  state.volume = doubles(all(scree::fields::volume));
-  state.D = doubles(all(diffusivity));
-  state.stress = stresses<S::policy::dim>(all(stress));
+  state.volume = Of::doubles(all(scree::fields::volume));
+  state.D = Of::doubles(all(diffusivity));
+  state.stress = Of::stresses(all(stress));
   if constexpr (is_list<Sizes>) {
-    add_species(state, all, o.species);
+    detail::add_species(state, all, o.species);
   } else {
-    state.C = doubles(all(concentration));
-    state.V = doubles(all(segregation_velocity));
+    state.C = Of::doubles(all(concentration));
+    state.V = Of::doubles(all(segregation_velocity));
     auto const& physics = solver.settings().physics;
-    add_rates(state, all, physics.transport.flux, physics.mechanics.gravity.direction());
+    auto const grad_C = all(gradient<scree::Concentration>), grad_V = all(gradient<scree::SegregationVelocity>);
+    Of::add_rates(state, grad_C, grad_V, all(concentration_rate), physics.transport.flux,
+                  physics.mechanics.gravity.direction());
   }
   // A state that is not finite is reported with the results.
   if (std::ranges::all_of(state.C, [](double C) { return std::isfinite(C); })) {
@@ -173,7 +140,8 @@ scree::PointData frame_of(S& solver, Options const& o) {
   auto frame = scree::point_data_of(solver, FrameFields<Sizes>{}, scree::Bodies<scree::Material, scree::Wall>{});
   if constexpr (is_list<Sizes>)  // absent species
     for (int k = o.species.count() + 1; k <= ListOfSizes::species; ++k)
-      std::erase_if(frame.arrays, [&](auto const& array) { return array.name == fmt::format("concentration_{}", k); });
+      std::erase_if(frame.arrays,
+                    [&](auto const& array) { return array.name == "concentration_" + std::to_string(k); });
   return frame;
 }
 

@@ -6,8 +6,7 @@
 #include "scaling.hpp"
 #include "schema.hpp"
 
-#include <scree/app/figures.hpp>
-#include <scree/app/json.hpp>
+#include <scree/app/summary.hpp>
 
 // Steadiness of a run (means and spreads of its history), and the contents of summary.json.
 namespace drum {

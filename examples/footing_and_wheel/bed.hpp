@@ -6,9 +6,9 @@
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
-#include <scree/app/json.hpp>
 #include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
+#include <scree/app/summary.hpp>
 #include <scree/fields/groups.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>

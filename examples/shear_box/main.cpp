@@ -4,6 +4,7 @@
 
 #include <scree/app/program.hpp>
 #include <scree/app/say.hpp>
+#include <scree/app/summary.hpp>
 
 namespace shear_box {
 

@@ -6,11 +6,11 @@
 
 #include <scree/app/checkpoints.hpp>
 #include <scree/app/figures.hpp>
-#include <scree/app/json.hpp>
 #include <scree/app/list_of_sizes.hpp>
 #include <scree/app/profile.hpp>
 #include <scree/app/run_ranks.hpp>
 #include <scree/app/say.hpp>
+#include <scree/app/summary.hpp>
 #include <scree/fields/groups.hpp>
 #include <scree/granular/segregating.hpp>
 #include <scree/integrators/symplectic_euler.hpp>

@@ -4,12 +4,14 @@
 
 #include "preview_page.hpp"
 
+#include <scree/app/command_line.hpp>
 #include <scree/app/say.hpp>
 #include <scree/core/writes_files.hpp>
 #include <scree/io/write_file.hpp>
 
 #include <chrono>
 #include <ctime>
+#include <exception>
 #include <fstream>
 #include <stdexcept>
 
@@ -74,6 +76,25 @@ Preview::Preview(std::string program, CommandLine const& line)
   std::error_code unknown;
   if (fs::exists(fs::symlink_status(file_, unknown)) && !(fs::is_regular_file(file_, unknown) && is_page(file_)))
     throw std::runtime_error(fmt::format("{}: is no preview; give another --output", file_.string()));
+}
+
+void Preview::show(ShownStart& start) const {
+  StartState state{.snapshot = start.snapshot(), .spacing = start.spacing()};
+  try {
+    start.check();
+    state.warning = start.warning();
+    state.snapshot = start.snapshot();  // with the results of the passes
+    auto const before = start.limits();
+    state.step = start.step(longest_step);
+    state.limits = start.limits();
+    for (auto const& [name, count] : before) state.limits[name] -= count;
+  } catch (std::exception const& refusal) {
+    state.refusal = refusal.what();
+    write(state);
+    throw;
+  }
+  write(state);
+  throw PreviewWritten();
 }
 
 void Preview::write(StartState const& state) const {

@@ -8,6 +8,7 @@
 #include <scree/granular/rigid_rotation.hpp>
 #include <scree/granular/viscous_share.hpp>
 #include <scree/io/point_columns.hpp>
+#include <scree/motion/instances.hpp>
 #include <scree/passes/finite.hpp>
 #include <scree/setup/lattice.hpp>
 #include <scree/setup/shapes/primitives.hpp>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/app/figures.hpp>
+#include <scree/app/summary.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <scree/app/case_file.hpp>
 #include <scree/app/list_of_sizes.hpp>
+#include <scree/app/species_section.hpp>
 
 #include <catch2/catch_test_macros.hpp>
 

@@ -55,7 +55,7 @@ class Names(unittest.TestCase):
     def test_each_name_has_the_header_that_declares_it(self):
         found = names.public(INCLUDE)
         for name, kind, header in (("Solver", "type", "solver/solver.hpp"), ("fill_lattice", "function", "setup/lattice.hpp"),
-                                   ("fields::velocity", "constant", "fields/standard.hpp"), ("app::Run", "type", "app/start.hpp"),
+                                   ("fields::velocity", "constant", "fields/standard.hpp"), ("app::Run", "type", "app/run.hpp"),
                                    ("RotationAbout", "type", "motion/rotation_about.hpp"), ("app::run_program", "function", "app/program.hpp"),
                                    ("plane_strain_cone", "function", "laws/drucker_prager.hpp")):
             self.assertEqual(found.get(name), (kind, f"scree/{header}"), name)

@@ -4,13 +4,15 @@
 
 #include "../io/csv_series.hpp"
 #include "../run/checkpoint_policy.hpp"
-#include "start.hpp"
+#include "run.hpp"
 
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace scree::app {
+
+struct About;  // codec.hpp
 
 /// Returns the description of the option that names the checkpoint to start from. The option is a std::string and empty
 /// by default. `--study` and the message after a signal find it by its name (see Program::restart):

@@ -3,17 +3,16 @@
 #pragma once
 
 #include "../snapshots/snapshot.hpp"
-#include "command_line.hpp"
 
 #include <concepts>
-#include <exception>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace scree::app {
+
+struct CommandLine;  // command_line.hpp
 
 /// An exception that ends a program after it has written its preview, with exit code 0 and without a message.
 struct PreviewWritten {};
@@ -35,6 +34,46 @@ concept CanBeShown = requires(S& solver) {
   { solver.step(1.0) } -> std::convertible_to<double>;
 };
 
+/// What a preview needs of a solver, whatever its formulation.
+class ShownStart {
+ public:
+  virtual ~ShownStart() = default;
+  /// Checks the start. Throws what the checks throw.
+  virtual void check() = 0;
+  /// Returns the state of the solver.
+  virtual Snapshot snapshot() const = 0;
+  /// Returns the spacing of the particles, m.
+  virtual double spacing() const = 0;
+  /// Returns the warning of the physics model; empty if there is none.
+  virtual std::string warning() const = 0;
+  /// Takes a step of at most `longest` (s); returns its length.
+  virtual double step(double longest) = 0;
+  /// Returns the number of steps that each limit has set.
+  virtual std::map<std::string, long> const& limits() const = 0;
+};
+
+namespace detail {
+template <class S, class Check>
+class ShownSolver : public ShownStart {
+ public:
+  ShownSolver(S& solver, Check const& check) : solver_(solver), check_(check) {}
+  void check() override { check_(); }
+  Snapshot snapshot() const override { return solver_.snapshot(); }
+  double spacing() const override { return solver_.settings().spacing; }
+  std::string warning() const override {
+    if constexpr (requires(S const& solver) { solver.settings().physics.warning(); })
+      if (solver_.settings().start_checks) return solver_.settings().physics.warning();
+    return "";
+  }
+  double step(double longest) override { return solver_.step(longest); }
+  std::map<std::string, long> const& limits() const override { return solver_.limits(); }
+
+ private:
+  S& solver_;
+  Check const& check_;
+};
+}  // namespace detail
+
 /// The preview of a case (`--preview`): a page for the browser, preview.html in the output directory, with the
 /// particles before the first step and a report of the start checks. Other files remain unchanged.
 class Preview {
@@ -50,23 +89,8 @@ class Preview {
   /// without a page. All ranks of a case call this together.
   template <class S, class Check>
   [[noreturn]] void show(S& solver, Check const& check) const {
-    StartState state{.snapshot = solver.snapshot(), .spacing = solver.settings().spacing};
-    try {
-      check();
-      if constexpr (requires { solver.settings().physics.warning(); })
-        if (solver.settings().start_checks) state.warning = solver.settings().physics.warning();
-      state.snapshot = solver.snapshot();  // with the results of the passes
-      auto const before = solver.limits();
-      state.step = solver.step(longest_step);
-      state.limits = solver.limits();
-      for (auto const& [name, count] : before) state.limits[name] -= count;
-    } catch (std::exception const& refusal) {
-      state.refusal = refusal.what();
-      write(state);
-      throw;
-    }
-    write(state);
-    throw PreviewWritten();
+    detail::ShownSolver<S, Check> start(solver, check);
+    show(start);
   }
   /// Writes the page and prints the report on the first rank of a case. Throws std::runtime_error if the page cannot be
   /// written.
@@ -76,6 +100,8 @@ class Preview {
   std::filesystem::path const& file() const { return file_; }
 
  private:
+  [[noreturn]] void show(ShownStart& start) const;
+
   std::string title_;
   std::filesystem::path file_;
   bool quiet_ = false;

@@ -4,7 +4,7 @@
 
 #include "../distributed/profiler.hpp"
 #include "ranks_text.hpp"
-#include "start.hpp"
+#include "run.hpp"
 
 #include <cstdio>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "../solver/settings.hpp"
-#include "ranks.hpp"
-#include "start.hpp"
+#include "cases.hpp"
+#include "run.hpp"
 #ifdef SCREE_RANKS
 #include "../distributed/link.hpp"
 #include "../distributed/other_ranks.hpp"

@@ -70,3 +70,5 @@ struct Rotation {
 };
 
 }  // namespace scree
+
+#include "instances.hpp"
