@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 // Rigid bodies that integrators move which do not name them.
@@ -221,6 +222,20 @@ TEMPLATE_TEST_CASE("a rigid body falls as a particle of the material does, with 
   CHECK(solver.material().to_host(position)[0][2] == fallen());
   CHECK(solver.material().to_host(velocity)[0] == state_of(solver).u);
   CHECK(std::abs(solver.template body<Block>().to_host(position)[0][2] - fallen()) < 1e-15);
+}
+
+TEST_CASE("a rigid body without a bound on its way falls as with one") {
+  double const none = std::numeric_limits<double>::infinity();
+  auto const fallen = [](double angle, double way) {
+    auto solver =
+        falling<Midpoint>({.bodies = {body_at({0.5, 0, 0})}, .angle_per_step = angle, .spacings_per_step = way}, 10);
+    for (int n = 0; n < 20; ++n) CHECK(solver.step(0.004) == 0.004);
+    return state_of(solver).x[2];
+  };
+  double const expected = fallen(1, 10);
+  CHECK(expected < -0.01);
+  CHECK(fallen(none, 10) == expected);
+  CHECK(fallen(1, none) == expected);
 }
 
 TEST_CASE("a given velocity of a rigid body is kept whatever an integrator stores") {

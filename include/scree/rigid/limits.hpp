@@ -27,8 +27,9 @@ struct LongestRigidStep {
     double const a = norm(Vec<dim, double>(F / constants(body).mass + gravity));
     double const w = norm(states.load(angular_velocity, body));
     double const speed = norm(states.load(rigid_velocity, body)) + w * constants(body).radius;
+    double const finite = Kokkos::min(way, 1e100);  // with an infinite way the quotient would be NaN
     join(longest, angle / w);
-    join(longest, 2 * way / (speed + Kokkos::sqrt(speed * speed + 2 * a * way)));
+    join(longest, 2 * finite / (speed + Kokkos::sqrt(speed * speed + 2 * a * finite)));
   }
   SCREE_FN void init(double& longest) const { longest = TimeStepLimit::never; }
   SCREE_FN void join(double& longest, double const& other) const {
