@@ -128,9 +128,9 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate});
 }
 
-/// Runs a case program that was written for version 0.1 and also passes a function that names the checkpoint. Refuses
-/// programs without the option Program::restart: their runs could not tell whether they continue the results that they
-/// would replace.
+/// Runs a case program that was written for version 0.1 and also passes a function that names the checkpoint. The
+/// function refuses programs without the option Program::restart: their runs could not tell whether they continue the
+/// results that they would replace.
 template <class T, class Simulate>
 [[deprecated("leave out the last argument: the option with the checkpoint is Program::restart")]] int run_program(
     int argc, char** argv, Program const& program, Schema<T> const& schema, Simulate const& simulate,
