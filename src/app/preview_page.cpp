@@ -132,7 +132,7 @@ std::string meta_of(AboutPage const& about, StartParticles const& particles, Rep
 
 StartParticles::StartParticles(Snapshot const& snapshot) : time(snapshot.time) {
   std::vector<std::string> names;
-  for (auto const& [key, value] : detail::entries_of(snapshot.signature)) {
+  for (auto const& [key, value] : scree::detail::entries_of(snapshot.signature)) {
     if (key == "dimension") dimension = std::stoi(value);
     constexpr std::string_view end = " particles";
     if (!key.ends_with(end)) continue;
