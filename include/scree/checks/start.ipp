@@ -56,10 +56,12 @@ class StartLook {
   Crowding operator()(std::size_t i) const { return crowding({all_.places[i], i}, around(i)); }
   /// Returns the volume of a wall particle over the dim-th power of the distance to the nearest other one, which is
   /// taken to be at most the support.
-  double fill_of_wall(std::size_t i) const { return all_.volumes[i] / kernel_.volume(std::sqrt(nearest_of_walls(i))); }
+  [[gnu::cold]] double fill_of_wall(std::size_t i) const {
+    return all_.volumes[i] / kernel_.volume(std::sqrt(nearest_of_walls(i)));
+  }
 
  private:
-  std::vector<PointsInCells::Numbered> around(std::size_t i) const {
+  [[gnu::noinline]] std::vector<PointsInCells::Numbered> around(std::size_t i) const {
     std::vector<PointsInCells::Numbered> found;
     PointsInCells::Hull here;
     here.add(all_.places[i]);

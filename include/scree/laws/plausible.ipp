@@ -31,34 +31,35 @@ SCREE_BODY std::string warning_of_soft_bed(double depth, double gravity, double 
 
 SCREE_BODY std::string doubts_of(NumbersOfLaw const& law, double gravity) {
   std::string text;
-  auto const add = [&](std::string const& line) { text += (text.empty() ? "" : "\n") + line; };
   // Only under the gravity of the earth in m/s^2: other units, also none, have other numbers for both. The lightest
   // grains, beads of foam, make beds of 10 kg/m^3.
   if (law.density > 0 && law.density < 5 && gravity > 9.7 && gravity < 9.9)
-    add(
-        formatted("scree: warning: the density of the material is %.6g kg/m^3, lighter than any bed of grains (10 and "
-                  "more): is it given in g/cm^3?",
-                  law.density));
+    text += formatted(
+        "\nscree: warning: the density of the material is %.6g kg/m^3, lighter than any bed of grains (10 and more): "
+        "is "
+        "it given in g/cm^3?",
+        law.density);
   else if (law.density > 0 && law.density < 0.005 * law.grain_density)
-    add(
-        formatted("scree: warning: the grains fill only %.2g %% of the bed, whose density is %.6g kg/m^3 with a "
-                  "grain_density of %.6g kg/m^3: the inertial number follows from the latter",
-                  100 * law.density / law.grain_density, law.density, law.grain_density));
+    text += formatted(
+        "\nscree: warning: the grains fill only %.2g %% of the bed, whose density is %.6g kg/m^3 with a grain_density "
+        "of "
+        "%.6g kg/m^3: the inertial number follows from the latter",
+        100 * law.density / law.grain_density, law.density, law.grain_density);
   // Fits to experiments and simulations have an I0 of 0.05 to 1; a large one with a large mu_d makes a friction that
   // rises in proportion to I, by about 1.
   if (law.I0 > 2 && law.rise > 0 && law.rise < 0.1)
-    add(
-        formatted("scree: warning: with an I0 of %.6g the friction has risen by only %.2g at an inertial number of 1, "
-                  "which dense flows do not reach: I0 of grains is 0.05 to 1; if the friction is meant to be constant, "
-                  "set mu_d to mu_s",
-                  law.I0, law.rise));
-  // Soil has a modulus of 50 times its cohesion and more, gels some times.
+    text += formatted(
+        "\nscree: warning: with an I0 of %.6g the friction has risen by only %.2g at an inertial number of 1, which "
+        "dense "
+        "flows do not reach: I0 of grains is 0.05 to 1; if the friction is meant to be constant, set mu_d to mu_s",
+        law.I0, law.rise);
+  // Soil has a modulus of 50 times its cohesion and more; some gels have one of the same size.
   if (law.young > 0 && law.cohesion > law.young)
-    add(
-        formatted("scree: warning: the cohesion of the cone, %.6g Pa, is above Young's modulus, %.6g Pa: the material "
-                  "would double its length before it yields; are both given in Pa?",
-                  law.cohesion, law.young));
-  return text;
+    text += formatted(
+        "\nscree: warning: the cohesion of the cone, %.6g Pa, is above Young's modulus, %.6g Pa: the material would "
+        "double its length before it yields; are both given in Pa?",
+        law.cohesion, law.young);
+  return text.empty() ? text : text.substr(1);
 }
 
 }  // namespace scree::detail
