@@ -58,7 +58,7 @@ TEST_CASE("settings: laws") {
                       ContainsSubstring("scree: mu_d (-) of MuOfI must be at most 10: it is the tangent"));
   }
   range(sand, OF(I0), "I0 (-) of MuOfI", "above 0", {tiny, huge}, {0, -1, inf});
-  range(sand, OF(grain_density), "grain_density (kg/m^3) of MuOfI", "above 0", {tiny, huge}, {0, inf});
+  range(sand, OF(grain_density), "grain_density (kg/m^3) of MuOfI", "above 0", {1500, huge}, {0, inf});
   range(sand, OF(regularisation), "regularisation (1/s) of MuOfI", "above 0", {tiny, huge}, {0, inf});
   range(sand, OF(grains.diameter), "diameter (m)", "above 0", {tiny, huge}, {0, -1e-3, inf});
   range(BidisperseGrains{1e-3, 2e-3}, OF(d_small), "d_small (m)", "above 0", {tiny, huge}, {0, inf});

@@ -66,10 +66,10 @@ struct WallView {
   /// plate of two rows is thicker, even if grains have come closer than at the start.
   SCREE_FN double thin() const { return Kokkos::max(1.75, 0.8 * support - 1); }
   /// Returns the distance behind the first row up to which there must be particles of walls, spacings; 0 if a second
-  /// row is enough. The next row, which is missing, is then farther from the material than 0.85 supports. With a
+  /// row is enough. The next row, which is missing, is then farther from the material than 0.835 supports. With a
   /// support of 6 spacings the stress on a floor of four rows, which end at 0.83, is 2.9 % too large; of five rows,
   /// 0.15 %.
-  SCREE_FN double least_depth() const { return support > usual_support ? 0.85 * support - 2 : 0; }
+  SCREE_FN double least_depth() const { return support > usual_support ? 0.835 * support - 2 : 0; }
   /// Returns the sentence about a fault of this wall; "" if there is none.
   [[gnu::cold]] std::string text(ThinWall fault) const;
   /// Sets the members above. for_each_wall(visit) calls visit(x) for the particles of walls within the same distance;
