@@ -10,7 +10,7 @@ inline int& rank_of_this_thread() {
   return rank;
 }
 
-/// While it lives, this thread works on a rank of a case.
+/// A guard that assigns a rank of a case to the current thread during the guard's lifetime.
 class OnThisRank {
  public:
   explicit OnThisRank(int rank) : before_(rank_of_this_thread()) { rank_of_this_thread() = rank; }
@@ -24,9 +24,9 @@ class OnThisRank {
 
 }  // namespace detail
 
-/// Whether this thread writes the files of its case and prints: true without ranks, and on the first rank
-/// (run_on_threads() and run_on_mpi() set it). Series, tables, checkpoints and Progress made on other ranks write
-/// nothing, so that all ranks can run the same code.
+/// Whether this thread writes the files of its case and prints: true without ranks and on the first rank.
+/// run_on_threads() and run_on_mpi() set the rank. Series, tables, checkpoints and Progress objects made on other ranks
+/// write nothing, so that all ranks can run the same code.
 inline bool writes_files() { return detail::rank_of_this_thread() == 0; }
 
 }  // namespace scree
