@@ -12,14 +12,14 @@
 
 namespace scree {
 
-/// Some consecutive points of a filling, those that one rank of a case has at its start. Point k here is number
-/// `first + k` of the `all` points of the filling. The shares of all ranks have each number once.
+/// The consecutive points of a filling that one rank of a case has at its start. Point k of the share is number `first
+/// + k` of the `all` points of the filling. Each number must be in the share of exactly one rank.
 template <int Dim>
 struct SharedPoints {
   std::vector<Vec<Dim, double>> points;  ///< m
-  long first = 0, all = 0;               ///< the number of the first point among all, and the number of all points
+  long first = 0, all = 0;               ///< the number of the first point, and the number of points of the filling
 
-  /// Throws std::invalid_argument unless the points are among all.
+  /// Throws std::invalid_argument unless the share lies within the `all` points of the filling.
   void check() const {
     if (first < 0 || first + static_cast<long>(points.size()) > all)
       throw std::invalid_argument("set-up: a share of " + std::to_string(points.size()) + " points from number " +
@@ -28,7 +28,7 @@ struct SharedPoints {
   }
 };
 
-/// A share of points that each rank has.
+/// Returns the share of one rank of points that are known on every rank.
 template <int Dim>
 SharedPoints<Dim> share_of(std::vector<Vec<Dim, double>> const& points, ShareOfRank const& share) {
   share.check();
