@@ -34,8 +34,8 @@ template <class T>
 requires std::is_base_of_v<Eigen::EigenBase<T>, T>
 inline constexpr bool is_expression<T> = !std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
 
-/// Whether a Number may multiply or divide a matrix of Real: a Real, an integer or, if Real is a pack, a number that
-/// converts to it.
+/// Whether a scalar of type Number may multiply or divide a matrix of Real: Real itself, an integer or, if Real is a
+/// pack, a number that converts to Real.
 template <class Number, class Real>
 concept FactorOf = std::is_same_v<Number, Real> || std::is_integral_v<Number> ||
     (std::is_arithmetic_v<Number> && !std::is_arithmetic_v<Real> && std::is_convertible_v<Number, Real>);

@@ -12,8 +12,8 @@
 #include <unistd.h>
 #endif
 
-// Checks whether there is enough memory before particles are created. An operating system may grant more memory than it
-// has, and kill the program when the memory is used.
+// Checks for sufficient memory before particles are created. An operating system may grant more memory than it has, and
+// kill the program when the memory is used.
 namespace scree {
 
 /// The largest number of particles in a body; particles are counted in an int.
@@ -25,8 +25,8 @@ inline double& assumed_memory() {
   return bytes;
 }
 }  // namespace detail
-/// Limits the memory that counts as free, in bytes, both on the host and on a device. The limit is for a machine that
-/// is shared with other programs and for tests; if it is infinite, there is none.
+/// Limits the memory that counts as free, in bytes, both on the host and on a device. The limit serves for tests and
+/// for a machine that is shared with other programs; an infinite value means no limit.
 inline void assume_free_memory(double bytes) { detail::assumed_memory() = bytes; }
 
 /// Returns the number of bytes that this process may still allocate, at most the limit of assume_free_memory(). If the

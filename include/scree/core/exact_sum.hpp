@@ -11,8 +11,9 @@
 namespace scree {
 
 /// A sum of doubles without rounding, stored as a long fixed-point number (Kulisch accumulator). Its value depends
-/// neither on the order of the terms nor on how they are divided among ranks. At most 2^30 terms may be added in a row
-/// without adding another ExactSum. An infinite or NaN term makes the value NaN. ExactSum works only on the host.
+/// neither on the order of the terms nor on how they are divided among ranks. At most 2^30 terms may be added
+/// consecutively; adding another ExactSum resets this count. An infinite or NaN term makes the value NaN. ExactSum
+/// works only on the host.
 class ExactSum {
  public:
   ExactSum& operator+=(double term) {

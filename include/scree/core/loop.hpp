@@ -18,7 +18,7 @@
 
 // Parallel loops over indices on a given instance of an execution space. On a GPU, they are Kokkos loops. On a host, a
 // single Kokkos loop runs over portions of the range, one per thread, and calls the loop body through a pointer. This
-// Kokkos loop is compiled only once, because it would take ten times as long to compile as the function inside it.
+// single loop is compiled only once; a Kokkos loop takes ten times as long to compile as the function inside it.
 namespace scree {
 namespace detail {
 

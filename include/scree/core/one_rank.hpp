@@ -62,14 +62,14 @@ struct OneRank {
     return body.size();
   }
   /// Returns an order for the values of all particles of a body, or of the particles with given numbers. Its function
-  /// of(values, of_each) brings the values on all ranks into this order.
+  /// `of(values, of_each)` brings the values on all ranks into this order.
   template <class Body, class... Numbers>
   detail::AsStored order_of(Body const&, Numbers const&...) const {
     return {};
   }
   /// Whether this rank reports for the case.
   bool reports() const { return true; }
-  /// Whether particles that are added to the case are added on this rank, from which they may move to other ranks.
+  /// Whether this rank takes particles that are added to the case; the particles may move to other ranks later.
   bool takes_new() const { return true; }
 };
 /// The collective operations shared by all cases with a single rank.

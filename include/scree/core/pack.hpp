@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-// Packs use the vector types of GCC and Clang, on which device compilers cannot compile operations.
+// Packs use the vector types of GCC and Clang; device compilers cannot compile operations on these types.
 #if defined(__GNUC__) && !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
 #define SCREE_HAS_PACKS
 #if defined(__AVX__)

@@ -125,7 +125,7 @@ struct Parameter : ParameterAbout {
   /// Returns the number of components of the parameter: 1 for a number, 2 or 3 for a vector.
   constexpr int components() const { return in_space != nullptr ? 3 : in_plane != nullptr ? 2 : 1; }
   /// Returns the value of a parameter that is a number.
-  // Not inline, because g++ 12 would warn about the pointer to a member that is null.
+  // Not inline, because g++ 12 would warn about a null pointer to a member.
   [[gnu::noinline]] constexpr double of(Model const& model) const {
     return number ? model.*number : double(model.*count);
   }
@@ -164,7 +164,8 @@ concept HasParameters = requires {
   T::parameters().size();
 };
 
-/// Whether a parameter of the model is a vector. If none is, the header of vectors need not be included.
+/// Whether a parameter of the model is a vector. If no parameter is a vector, the header of vectors need not be
+/// included.
 template <class Model>
 constexpr bool has_vectors() {
   for (auto const& each : Model::parameters())

@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// The name of a pass in profilers and messages. It uses no heap memory, because the passes of a step are constructed
-/// and fused again in every step. Text beyond `longest` characters is cut off.
+/// The name of a pass in profilers and messages. A label uses no heap memory, because the passes of a step are
+/// constructed and fused again in every step. Text beyond `longest` characters is cut off.
 class PassLabel {
  public:
   static constexpr std::size_t longest = 111;

@@ -50,7 +50,7 @@ SCREE_FN Principal<Real> principal(Mat<3, Real> A) {
   return {Vec<3, Real>(A(0, 0), A(1, 1), A(2, 2)), axes};
 }
 
-/// Returns the part of a symmetric tensor with positive principal values, which for a stress is tension.
+/// Returns the part of a symmetric tensor with positive principal values; for a stress, this part is the tension.
 template <class Real>
 SCREE_FN Mat<3, Real> positive_part(Mat<3, Real> const& A) {
   Principal<Real> const p = principal(A);

@@ -9,8 +9,8 @@
 // correctly rounded square root or division. Sums over pairs are accurate to a few units in the last place in either
 // case.
 //
-// A function that calls these functions starts with `using namespace math;`, because a call with a qualified name does
-// not find the overloads for packs (pack.hpp).
+// Code that calls these functions must first declare `using namespace math;`, because a qualified call does not find
+// the overloads for packs (pack.hpp).
 namespace scree {
 namespace math {
 
@@ -47,7 +47,8 @@ SCREE_LOOP_FN float smaller(float x, float y) {
 SCREE_LOOP_FN double magnitude(double x) { return Kokkos::abs(x); }
 SCREE_LOOP_FN float magnitude(float x) { return Kokkos::abs(x); }
 
-/// Whether x > 0 or, for a pack, whether any lane is positive. A branch on it skips code that adds nothing if x is 0.
+/// Whether x > 0 or, for a pack, whether any lane is positive. Callers use the result to skip code that adds nothing if
+/// x is 0.
 SCREE_LOOP_FN bool any_positive(double x) { return x > 0; }
 SCREE_LOOP_FN bool any_positive(float x) { return x > 0; }
 

@@ -13,7 +13,7 @@
 namespace scree {
 namespace detail {
 
-/// Returns a string formatted according to the rules of printf. A call compiles faster than a concatenation of strings.
+/// Returns a string formatted according to the rules of printf. Calls compile faster than concatenations of strings.
 [[gnu::format(printf, 1, 2)]] std::string formatted(char const* format, ...);
 
 std::string short_text(double value);

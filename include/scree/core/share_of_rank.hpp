@@ -23,8 +23,8 @@ struct ShareOfRank {
   /// Returns the number after the last of `all` points that belongs to this share.
   long end_of(long all) const { return ShareOfRank{rank + 1, ranks}.first_of(all); }
 };
-/// Whether a type is ShareOfRank. Functions take a share under this concept, so that braces around coordinates do not
-/// become a share.
+/// Whether a type is ShareOfRank. Functions that take a share use this concept, so that coordinates in braces do not
+/// convert to a share.
 template <class T>
 concept IsShareOfRank = std::same_as<T, ShareOfRank>;
 

@@ -25,7 +25,7 @@ template <class P>
 inline constexpr bool runs_on_host = on_host<typename P::space>;
 
 /// A named region of a run in profiles, which ends with the scope of the object. Without a profiler, it costs nothing,
-/// not even a string.
+/// not even the construction of a string.
 class ProfilingRegion {
  public:
   /// Begins a region with this name, or none if the name is empty.

@@ -5,8 +5,8 @@
 #include "types.hpp"
 
 // Symmetric 3 x 3 tensors, stored as vectors of their entries. In 2D, the entries are 11, 22, 33 and 12, where 3 is the
-// direction out of the plane (plane strain), to which the tensor does not couple the plane. In 3D, the entries are 11,
-// 22, 33, 12, 13 and 23.
+// direction out of the plane (plane strain); entries 13 and 23 are zero. In 3D, the entries are 11, 22, 33, 12, 13 and
+// 23.
 namespace scree {
 
 /// The number of stored entries of a symmetric 3 x 3 tensor: 4 in plane strain, 6 in 3D.

@@ -42,7 +42,7 @@ template <class... Ts>
 struct tuple_type<std::tuple<Ts...>> {
   using type = Tuple<Ts...>;
 };
-/// The Tuple with the types of a Tuple or std::tuple.
+/// The Tuple type with the value types of a Tuple or std::tuple.
 template <class T>
 using tuple_of = typename tuple_type<std::remove_cvref_t<T>>::type;
 /// Whether a type is a Tuple or a std::tuple.
