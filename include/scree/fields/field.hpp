@@ -26,7 +26,7 @@ struct Label {
   constexpr operator std::string_view() const { return {text, N - 1}; }
 };
 
-/// The base of all fields, with a name and a unit. A field with a value type of its own adds the template `value<Dim,
+/// The base of all fields, with a name and a unit. A field with its own value type defines the template `value<Dim,
 /// Real>`.
 template <Label Name, Label Unit>
 struct Labelled {
@@ -64,8 +64,8 @@ struct Tensor : Labelled<Name, Unit> {
   template <int Dim, class Real>
   using value = Mat<Dim, Real>;
 };
-/// The base of a field with a symmetric tensor per particle that is 3 x 3 also in 2D, such as the stress in plane
-/// strain; see core/symmetric3.hpp.
+/// The base of a field with a symmetric 3 x 3 tensor per particle, even in 2D, such as the stress in plane strain; see
+/// core/symmetric3.hpp.
 template <Label Name, Label Unit>
 struct Symmetric3 : Labelled<Name, Unit> {
   template <int Dim, class Real>
@@ -78,7 +78,7 @@ struct Symmetric : Labelled<Name, Unit> {
   template <int Dim, class Real>
   using value = Vec<symmetric_size<Dim>, Real>;
 };
-/// The base of a field with a symmetric operator on symmetric tensors per particle; see core/symmetric.hpp.
+/// The base of a field whose value is a symmetric operator on symmetric tensors; see core/symmetric.hpp.
 template <Label Name, Label Unit>
 struct SymmetricOperator : Labelled<Name, Unit> {
   template <int Dim, class Real>

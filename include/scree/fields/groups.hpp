@@ -26,17 +26,16 @@ struct IdentityRange {
   SCREE_FN bool contains(int number) const { return number >= first && number < last; }
 };
 
-/// The Identity numbers of the particles of a body or of a group that this rank has at the start of a case, and that
-/// all ranks have together.
+/// The ranges of Identity numbers of a body or of a group at the start of a case, on this rank and on all ranks
+/// together.
 struct RangeHere {
   IdentityRange here, all;  ///< on this rank, and on all ranks
 };
 
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are
-/// added; a solver made from the groups stores the number of its group for each particle (field `group`). Identity
-/// numbers count the particles of a body in the order in which they are given, so that each group is a range of
-/// Identity numbers. If each rank of a case has shares of the groups, numbers and ranges count the particles of the
-/// whole case.
+/// added; a solver made from the groups stores the group number of each particle (field `group`). Identity numbers
+/// count the particles of a body in the order in which they are given, so that each group is a range of Identity
+/// numbers. If each rank of a case has shares of the groups, numbers and ranges count the particles of the whole case.
 template <int Dim>
 class Groups {
  public:
@@ -66,7 +65,7 @@ class Groups {
   std::vector<Vec<Dim, double>> const& points() const { return points_; }
   /// Returns the number of particles of all groups, including the shares of other ranks.
   long size() const { return groups_.empty() ? 0 : groups_.back().range.all.last; }
-  /// Whether the groups are shares of ranks.
+  /// Whether each rank gives only its shares of the groups.
   bool are_shares() const { return given_ == Given::shares; }
   /// Returns the ranges of the particles of each group, on this rank and on all ranks.
   std::vector<RangeHere> ranges_here() const {
@@ -84,7 +83,7 @@ class Groups {
   std::vector<int> numbers() const { return numbers(&RangeHere::here); }
   /// Returns the group number of each particle of the whole case.
   std::vector<int> numbers_of_all() const { return numbers(&RangeHere::all); }
-  /// Returns the name of the group of a particle that is given by its Identity. Throws std::out_of_range if the
+  /// Returns the name of the group to which the particle with a given Identity belongs. Throws std::out_of_range if the
   /// particle is in no group.
   std::string const& name_of(int particle) const {
     for (auto const& each : groups_)

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <type_traits>
 
-// Untyped memory. Operations on whole arrays need only bytes, and so are compiled only once for all fields.
+// Untyped memory. Operations on whole arrays need only bytes, so they are compiled only once for all fields.
 namespace scree {
 
 namespace detail {

@@ -294,8 +294,8 @@ ColumnNumbers column_numbers(List) {
 }
 
 /// The particles of one body with any fields, whose columns are found at run time. Owned particles come first, followed
-/// by ghosts (periodic images and particles of other ranks). Loops over the particles run on the execution-space
-/// instance on which the particles were made; they run over owned particles and may read ghosts, too.
+/// by ghosts (periodic images and particles of other ranks). Loops visit only owned particles but also read ghosts;
+/// they run on the execution-space instance on which the particles were made.
 template <class P>
 class AnyParticles {
  public:
@@ -325,8 +325,8 @@ class AnyParticles {
     columns_.resize(owned, ghosts);
     guard_ = {};
   }
-  /// Reserves memory for a number of particles, including ghosts, so that a lack of memory is reported now. Throws as
-  /// resize() does.
+  /// Reserves memory for a number of particles, including ghosts, so that a lack of memory is reported immediately.
+  /// Throws as resize() does.
   void reserve(int extent) { columns_.reserve(extent); }
   /// Permutes the owned particles, so that the particle at index order(k) moves to index k. Removes all particles whose
   /// indices are not in `order`, and all ghosts.
@@ -334,7 +334,7 @@ class AnyParticles {
     columns_.reorder(order);
     guard_ = {};
   }
-  /// Keeps the particles of an ascending list of indices, and removes all other particles and all ghosts. A call needs
+  /// Keeps the particles of an ascending list of indices, and removes all other particles and all ghosts. keep() needs
   /// less memory than reorder(). Throws std::invalid_argument if the list is not in strictly ascending order.
   void keep(Array<P, int const> const& rising) {
     columns_.keep(rising);

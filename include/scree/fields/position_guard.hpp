@@ -31,8 +31,8 @@ struct PositionGuard {
   int volatile* first_beyond = nullptr;  ///< number of an update, or `none`
   int update = 0;                        ///< number of the next update
 
-  /// Returns the position of particle i at the last build of the lists, or zero without a record. Call this function
-  /// before results are stored, because a load waits for stores.
+  /// Returns the position of particle i at the last build of the lists, or zero if the guard is inactive. Call this
+  /// function before results are stored, because a load waits for stores.
   SCREE_FN vector start(int i) const { return first_beyond == nullptr ? zero<vector>() : value_of(kept(i)); }
   SCREE_FN void look(vector const& from, vector const& to) const {
     if (first_beyond == nullptr || squared_norm(to - from) <= squared_limit) return;

@@ -50,7 +50,7 @@ struct SumSlot {
 
 }  // namespace detail
 
-/// The values of a particle that a kernel has read, such as `i[velocity]`.
+/// The values of a particle that a kernel has read, as in `i[velocity]`.
 template <class P, class List>
 struct Record;
 template <class P, class... Fs>

@@ -4,10 +4,11 @@
 
 #include "field.hpp"
 
-// Fields that more than one model uses; a model declares its own fields next to itself. A field that evolves in time
-// names its rate. A field that passes read must be set, computed or evolved, unless zero is a valid default and the
-// field has a member `may_stay_zero`. An evolving field that must be positive has a member `above_zero`. An evolving
-// field whose small steps must not be lost in single precision has a member `compensated` (fields/remainder.hpp).
+// Fields that more than one model uses; a field that only one model uses is declared next to that model. A field that
+// evolves in time declares its rate. A field that passes read must be set, computed or evolved, unless zero is a valid
+// default and the field has a member `may_stay_zero`. An evolving field that must be positive has a member
+// `above_zero`. An evolving field whose small steps must not be lost in single precision has a member `compensated`
+// (fields/remainder.hpp).
 namespace scree {
 
 /// The rate of the velocity due to forces and gravity.
@@ -20,7 +21,7 @@ struct Velocity : Vector<"velocity", "m/s"> {
   static constexpr bool compensated = true;
   static constexpr bool may_stay_zero = true;
 };
-/// The position of a particle, which at the start is one of the given points.
+/// The position of a particle; the points given at the start are the initial positions.
 struct Position : Vector<"position", "m"> {
   using rate = Velocity;
   static constexpr bool compensated = true;

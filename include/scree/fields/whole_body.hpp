@@ -45,7 +45,7 @@ class WholeBody {
   auto sum(std::vector<T> of_those_here) const {
     return ranks_.sum(std::move(of_those_here));
   }
-  /// Returns a list, in any order, of the entries that all ranks compute from their own particles.
+  /// Returns a list, in no particular order, of the entries that all ranks compute from their own particles.
   template <class T>
   std::vector<T> all_of(std::vector<T> of_those_here) const {
     return ranks_.of_all(std::move(of_those_here));
