@@ -54,7 +54,7 @@ class KernelFunction {
   SCREE_FN Real radius() const { return Real(K::support) * h_; }
   /// Returns W(r), 1/m^Dim.
   SCREE_FN Real value(Real r) const { return value_factor_ * K::w(r * inverse_h_); }
-  /// Returns (dW/dr)/r, 1/m^(Dim + 2). Its product with $x_{ij}$ is the gradient of W with respect to x_i.
+  /// Returns (dW/dr)/r, 1/m^(Dim + 2). Multiplied by $x_{ij}$, this is the gradient of W with respect to x_i.
   SCREE_FN Real slope_over_distance(Real r) const { return gradient_factor_ * K::dw_over_q(r * inverse_h_); }
 
  private:
@@ -85,7 +85,7 @@ double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double 
 }
 
 /// Returns h times the integral of W over a line (2D) or plane (3D) through its centre, computed by the midpoint rule.
-/// This is the largest value of $\lvert h \sum V \nabla W\rvert$ at a plane surface.
+/// The result is the largest value of $\lvert h \sum V \nabla W\rvert$ at a plane surface.
 template <SmoothingKernel K, int Dim, class Real>
 double surface_asymmetry(KernelFunction<K, Dim, Real> const& kernel) {
   static_assert(Dim == 2 || Dim == 3);
