@@ -58,7 +58,7 @@ struct SortWithinCells {
     }
   }
 };
-/// A loop body that sorts the sources within a cell by position, with the first coordinate compared first. Sums then
+/// A loop body that sorts the sources within a cell by position, in lexicographic order of their coordinates. Sums then
 /// depend neither on the order of the threads nor on the order of the particles in memory.
 template <class P>
 struct SortByPosition {
@@ -136,18 +136,18 @@ struct CellView {
 
 }  // namespace detail
 
-/// The order of cells, and of the sources within a cell, by index. The order of summation then depends on the order of
-/// the particles in memory.
+/// An order in which cells, and the sources within a cell, are sorted by index. The order of summation then depends on
+/// the order of the particles in memory.
 struct ByIndex {};
-/// The order of cells, and of the sources within a cell, by position. The order of summation then depends only on the
-/// positions, as long as no two particles have the same position.
+/// An order in which cells, and the sources within a cell, are sorted by position. The order of summation then depends
+/// only on the positions, as long as no two particles have the same position.
 struct ByPosition {};
 
-/// A neighbour search with cells of the size of the search radius. The candidates of a target are the sources within
-/// the radius in the target's own cell and in the adjacent cells (Green 2010). Cells are divided into four along the
-/// first axis, and a target reads only the part of each row of cells that the sphere around it covers; in 3D, this is
-/// the volume of 14.5 of 27 cells. Positions are stored in the order of the cells, so that each source beyond the
-/// radius costs one contiguous read. The cells are rebuilt at every update.
+/// A neighbour search with cells as large as the search radius. The candidates of a target are the sources within the
+/// radius in the target's own cell and in the adjacent cells (Green 2010). Cells are divided into four along the first
+/// axis, and a target reads only the part of each row of cells that the sphere around it covers; in 3D, this is the
+/// volume of 14.5 of 27 cells. Positions are stored in the order of the cells, so that each source beyond the radius
+/// costs one contiguous read. The cells are rebuilt at every update.
 template <class P, class Order = ByIndex>
 class CellList {
  public:
@@ -185,7 +185,7 @@ class CellList {
 
 template <class P, class Order>
 CellList<P, Order>::CellList(double radius) : radius_(radius) {
-  // At least the square of the radius as a loop with different rounding would compute it.
+  // Enlarged, so that it is not below the squared radius in a loop with different rounding.
   view_.squared_radius =
       typename P::real(sq(radius) * (1 + 8 * double(Kokkos::Experimental::epsilon_v<typename P::real>)));
 }

@@ -55,7 +55,7 @@ struct Grid {
     return result;
   }
   /// Calls f(first, last) for runs of cells along the first axis, from `first` to `last`, both included. Together,
-  /// these cells contain all positions within one edge (along the other axes) of x.
+  /// these cells contain all positions within one edge length (of the other axes) of x.
   template <class F>
   SCREE_FN void for_each_row_around(Vec<Dim, Real> const& x, F const& f) const {
     Real place[Dim];
@@ -184,8 +184,8 @@ Frame<P::dim> frame_of(Positions<P> const& x) {
 }
 
 /// Returns a grid over the positions of `here` with the cells of `frame`. The edges of cells are at least `edge` (m),
-/// and cells are divided into `parts` along the first axis. Cells are larger if a few distant particles would otherwise
-/// need too many cells (more than 65536 plus 8 per particle).
+/// and cells are divided into `parts` along the first axis. Cells are enlarged if a few distant particles would
+/// otherwise need too many cells (more than 65536 plus 8 per particle).
 template <class P>
 Grid<P::dim, typename P::real> make_grid(Frame<P::dim> const& frame, Frame<P::dim> const& here, double edge,
                                          int parts = 1) {

@@ -17,8 +17,8 @@
 namespace scree {
 namespace detail {
 
-/// A function for reduce() that finds the largest displacement of the particles of several bodies. The numbers of the
-/// particles continue from one body to the next.
+/// A function for reduce() that finds the largest displacement of the particles of several bodies. Particle numbers
+/// continue from one body to the next.
 template <class P>
 struct LargestDisplacement {
   static constexpr int most = 4;  // bodies
@@ -46,19 +46,19 @@ struct LargestDisplacement {
   }
 };
 
-/// An exception that is thrown if lists were used after particles had moved too far. The caller that requested rare
+/// The exception that is thrown if lists were used after particles had moved too far. The caller that requested rare
 /// checks must return to an earlier state.
 struct ListsOutrun {};
 
 }  // namespace detail
 
-/// Determines when neighbour lists with a skin must be rebuilt, for pairs within and between several bodies. A
+/// A monitor that determines when neighbour lists with a skin, for pairs within and between bodies, must be rebuilt. A
 /// SkinWatch stores the positions of the last build. Only owned particles are checked, because ghosts move with them.
 ///
-/// A list is valid until a particle has moved by half the skin since the last build. By default, the watch measures
-/// displacements after every update. On a GPU, each measurement costs a loop over the particles and a synchronisation,
-/// so a caller that can return to an earlier state may request rare checks. The interval to the next check is at most
-/// 256 updates; it is extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that
+/// A list is valid until a particle has moved by half the skin since the last build. By default, displacements are
+/// measured after every update. On a GPU, each measurement costs a loop over the particles and a synchronisation, so a
+/// caller that can return to an earlier state may request rare checks. The interval to the next check is at most 256
+/// updates; it is extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that
 /// move particles record the first update in which a particle moves too far (PositionGuard). If a list was used after
 /// that update, the next check throws detail::ListsOutrun, and the caller repeats its work with a check after every
 /// update. Rare checks do not change when lists are built: after the first update that moves a particle too far, or at
@@ -71,7 +71,7 @@ class SkinWatch {
   using Kept = Array<P, vector>;
   using Guard = detail::PositionGuard<P>;
 
-  /// Makes a watch for lists of a number of bodies with a skin, m.
+  /// Makes a monitor for the lists of a number of bodies, with a skin in m.
   SkinWatch(double skin, std::size_t bodies) : half_skin_(skin / 2), kept_(bodies) { forget_notes(); }
 
   /// Whether lists built from the stored positions are valid for the positions `now` on all ranks of the case. Call
@@ -131,7 +131,8 @@ class SkinWatch {
   void restore(typename P::space const& space, Memory const& memory);
 
  private:
-  // The number of ghosts changes from build to build; memory is kept, because freeing it waits for all instances.
+  // Memory is kept although the number of ghosts changes from build to build, because freeing it waits for all
+  // instances.
   static void copy(Kept& kept, Positions<P> const& x);
   // `crossed`, which is 1 when the list becomes invalid, has grown by g in the n updates since the previous check. With
   // constant acceleration from rest, it grows by (k/n)^2 g in k updates from that check, and so reaches 1 after k = n

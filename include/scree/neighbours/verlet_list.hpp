@@ -254,11 +254,11 @@ void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length)
 
 }  // namespace detail
 
-/// A search that stores the candidates within the distance radius (1 + skin) of each target and keeps them until
+/// A search that stores the candidates within a distance of radius (1 + skin) from each target and keeps them until
 /// particles may have crossed the skin; see SkinWatch. OfOthers is the type for sources other than the targets, such as
 /// wall particles as sources for the material. This type has rows only for targets with candidates, unless there are so
-/// few targets that numbering them costs more than the memory that it saves. On a GPU, all targets together can have at
-/// most 2^32 candidates, which corresponds to some 28 million particles in 3D.
+/// few targets that numbering them costs more than it saves in memory. On a GPU, all targets together can have at most
+/// 2^32 candidates, which corresponds to some 28 million particles in 3D.
 template <class P>
 struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>::ListInRows;
