@@ -17,11 +17,11 @@ class PassLabel {
   static constexpr std::size_t longest = 111;
 
   constexpr PassLabel() = default;
-  /// Makes a label with this text.
+  /// A label with this text.
   constexpr PassLabel(char const* text) : PassLabel(std::string_view(text)) {}
-  /// Makes a label with this text.
+  /// A label with this text.
   PassLabel(std::string const& text) : PassLabel(std::string_view(text)) {}
-  /// Makes a label with this text.
+  /// A label with this text.
   constexpr PassLabel(std::string_view text) { add(text); }
 
   /// Returns the text, without any part that was cut off.
