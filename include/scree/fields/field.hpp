@@ -19,15 +19,15 @@ namespace scree {
 template <std::size_t N>
 struct Label {
   char text[N];
-  /// Copies the text of a literal.
+  /// A label with the text of a literal.
   constexpr Label(char const (&literal)[N]) {
     for (std::size_t k = 0; k < N; ++k) text[k] = literal[k];
   }
   constexpr operator std::string_view() const { return {text, N - 1}; }
 };
 
-/// The base of all fields, with a name and a unit. A field with its own value type defines the template `value<Dim,
-/// Real>`.
+/// The base of all fields, with a name and a unit. A field with its own value type adds the template
+/// `value<Dim, Real>`.
 template <Label Name, Label Unit>
 struct Labelled {
   static constexpr std::string_view name = Name;

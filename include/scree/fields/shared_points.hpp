@@ -12,8 +12,8 @@
 
 namespace scree {
 
-/// The consecutive points of a filling that one rank of a case has at its start. Point k of the share is number `first
-/// + k` of the `all` points of the filling. Each number must be in the share of exactly one rank.
+/// The consecutive points of a filling that one rank of a case has at its start. Point k of the share is point number
+/// `first + k` of the `all` points of the filling. Each number must be in the share of exactly one rank.
 template <int Dim>
 struct SharedPoints {
   std::vector<Vec<Dim, double>> points;  ///< m
