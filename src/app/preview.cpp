@@ -5,7 +5,7 @@
 #include "preview_page.hpp"
 
 #include <scree/app/say.hpp>
-#include <scree/core/this_rank.hpp>
+#include <scree/core/writes_files.hpp>
 #include <scree/io/write_file.hpp>
 
 #include <chrono>

@@ -3,7 +3,7 @@
 #include <scree/app/say.hpp>
 
 #include <scree/app/text.hpp>
-#include <scree/core/this_rank.hpp>
+#include <scree/core/writes_files.hpp>
 
 namespace scree::app {
 

@@ -33,7 +33,7 @@ Places<P> all_of(Positions<P> const& x) {
 /// Checks, and stores positions if the lists are invalid.
 template <class P>
 bool serves(SkinWatch<P>& watch, Positions<P> const& first, Positions<P> const& second = {}) {
-  bool const yes = watch.serves({all_of<P>(first), all_of<P>(second)});
+  bool const yes = watch.serves(watch.crossed({all_of<P>(first), all_of<P>(second)}));
   if (!yes) watch.keep({all_of<P>(first), all_of<P>(second)});
   return yes;
 }
@@ -95,9 +95,9 @@ TEMPLATE_LIST_TEST_CASE("displacements within any of nine bodies count", "", Pol
     watch.keep(bodies);
     bodies[moved] = all_of<P>(points_at<P>(0.49 * skin, 10 + int(moved)));
     INFO("body " << moved);
-    CHECK(watch.serves(bodies));
+    CHECK(watch.serves(watch.crossed(bodies)));
     bodies[moved] = all_of<P>(points_at<P>(0.51 * skin, 10 + int(moved)));
-    CHECK_FALSE(watch.serves(bodies));
+    CHECK_FALSE(watch.serves(watch.crossed(bodies)));
   }
 }
 
@@ -117,8 +117,8 @@ TEMPLATE_LIST_TEST_CASE("ghosts are kept and not watched", "", Policies) {
   SkinWatch<P> watch(skin, 2);
   watch.keep({Places<P>{points_at<P>(0, 50), 40}, {}});
   CHECK(watch.kept(0).size() == 50);
-  CHECK(watch.serves({Places<P>{points_at<P>(0, 40), 40}, {}}));
-  CHECK_FALSE(watch.serves({Places<P>{points_at<P>(0, 50), 50}, {}}));
+  CHECK(watch.serves(watch.crossed({Places<P>{points_at<P>(0, 40), 40}, {}})));
+  CHECK_FALSE(watch.serves(watch.crossed({Places<P>{points_at<P>(0, 50), 50}, {}})));
 }
 
 TEMPLATE_LIST_TEST_CASE("the positions of the last build are kept", "", Policies) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <scree/core/one_rank.hpp>
+#include <scree/core/whole_case.hpp>
 #include <scree/run/progress.hpp>
 
 #include <support/printed.hpp>
@@ -105,7 +105,7 @@ struct Losing {
   mutable int asked = 0;
   double time() const { return 6; }
   long steps() const { return 40; }
-  scree::OneRank ranks() const { return {}; }
+  scree::WholeCase whole_case() const { return {}; }
   long lost() const { return ++asked, gone; }
 };
 }  // namespace

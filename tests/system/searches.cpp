@@ -40,12 +40,18 @@ std::string fault(All& searches, std::vector<Places<P>> const& now) {
   return fault_of_candidates<P>(found, values_of(targets), values_of(sources), radius);
 }
 
+template <class All, class Now>
+void bring_up_to_date(All& searches, Now const& now) {
+  auto&& watch = searches.watch();
+  if (!watch.serves(watch.crossed(now))) searches.renew(now);
+}
+
 template <class P, class Search>
 long find_all(int updates) {
   Searches<P, Search> searches(radius, 2);
   for (int k = 0; k < updates; ++k) {
     auto const now = places_at<P>(1e-4 * k);
-    if (!searches.serve(now)) searches.renew(now);
+    bring_up_to_date(searches, now);
     INFO("update " << k);
     CHECK(fault<P, material, material>(searches, now) == "");
     CHECK(fault<P, material, wall>(searches, now) == "");
@@ -74,7 +80,7 @@ TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", 
   All before(radius, 2), after(radius, 2);
   for (int k = 0; k < 40; ++k) {
     auto const now = places_at<P>(1e-4 * k);
-    if (!before.serve(now)) before.renew(now);
+    bring_up_to_date(before, now);
     before.within(material, now);
   }
   after.restore(typename P::space(), before.memory());
@@ -82,8 +88,7 @@ TEMPLATE_LIST_TEST_CASE("searches by lists go on from those of another system", 
   for (int k = 40; k < 150; ++k) {
     auto const now = places_at<P>(1e-4 * k);
     auto const targets = now[wall].targets();
-    for (auto* searches : {&before, &after})
-      if (!searches->serve(now)) searches->renew(now);
+    for (auto* searches : {&before, &after}) bring_up_to_date(*searches, now);
     auto const found = candidates<P>(after.among(wall, material, now), targets);
     INFO("update " << k);
     CHECK(found == candidates<P>(before.among(wall, material, now), targets));

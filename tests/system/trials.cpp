@@ -14,23 +14,23 @@ namespace {
 
 /// A state whose value after step n is n exactly, unless a step of a trial used outdated lists.
 struct Counting {
-  struct Ranks {
-    bool is_one_of_several = false;
-    bool several() const { return is_one_of_several; }
+  struct Case {
+    bool has_others = false;
+    bool is_shared() const { return has_others; }
   };
   struct Clock {
     long steps = 0;
   };
   struct System {
     std::mt19937& random;
-    Ranks of_case;
+    Case of_case;
     double value = 0, value_before = 0;
     bool under_way = false, outrun = false;
     int until_next = 0;  // steps before lists allow a trial
     long failures = 0, trials = 0;
 
     bool one_in(int n) { return std::uniform_int_distribution<int>(1, n)(random) == 1; }
-    Ranks const& ranks() const { return of_case; }
+    Case const& whole_case() const { return of_case; }
     bool in_trial() const { return under_way; }
     bool begin_trial() {
       if (under_way || until_next-- > 0 || !one_in(3)) return false;

@@ -11,32 +11,32 @@
 
 namespace scree::app {
 
-/// Everything wrong with a case, one line each: "file:line:col: key: what is wrong; allowed: ...".
+/// An error that lists all problems of a case, one line each: "file:line:col: key: what is wrong; allowed: ...".
 struct CaseError : std::runtime_error {
   std::vector<std::string> lines;  ///< one for each problem
-  /// An error with these lines, one for each problem of a case file; `what()` joins them.
+  /// Creates an error from lines, one for each problem of a case file; `what()` joins the lines.
   explicit CaseError(std::vector<std::string> all);
 };
 
-/// The result of read_case(): the options, and remarks about settings that are legal and without effect.
+/// The result of read_case(): the options, and notes, for instance about valid settings that have no effect.
 template <class T>
 struct Case {
   T options{};
   std::vector<std::string> notes = {};
 };
 
-/// Reads sections into a struct of options in the given order, later ones over earlier ones, and collects the mistakes.
+/// A reader that reads sections into a struct of options. Later sections override earlier ones; errors are collected.
 class CaseReader {
  public:
-  /// `options` has its defaults, and so has `standard`.
+  /// Creates a reader into `options`, which must still have the default values, as `standard` does.
   CaseReader(OptionList const& list, void* options, void const* standard)
       : list_(list), options_(options), standard_(standard) {}
 
-  /// Notes a problem, which finish() throws with all others.
+  /// Records a problem, which finish() throws together with all others.
   void refuse(Problem const& problem) { problems_.emplace_back(problem.where, problem.message); }
-  /// Reads the options of a section. Problems are noted, and finish() throws them.
+  /// Reads the options of a section and records problems, which finish() throws.
   void read(Section const& section);
-  /// Returns the notes. Throws CaseError if anything was wrong.
+  /// Checks the rules and returns the notes. Throws CaseError if there are problems.
   std::vector<std::string> finish();
 
  private:
@@ -56,13 +56,14 @@ class CaseReader {
 };
 
 namespace detail {
-/// Reads a case file, `overrides` of the command line over it, and `last` over both. Returns what finish() does.
+/// Reads a case file, then the `overrides` of the command line, then `last`, each overriding the values before. Returns
+/// the result of finish().
 std::vector<std::string> read_case(CaseReader reader, std::filesystem::path const& file,
                                    std::span<std::string const> overrides, std::span<Section const> last = {});
 }  // namespace detail
 
-/// The options of a case: defaults, then the file (an empty path: none), then the overrides "section.key=value".
-/// Throws CaseError naming everything that is wrong.
+/// Returns the options of a case: the defaults, overridden by the file (an empty path: none) and then by the overrides
+/// "section.key=value". Throws CaseError with all problems.
 template <class T>
 Case<T> read_case(Schema<T> const& schema, std::filesystem::path const& file,
                   std::span<std::string const> overrides = {}) {

@@ -14,32 +14,33 @@
 
 namespace scree::app {
 
-/// Allowed numbers: [from, to], or (from, to] when `open`.
+/// A range of allowed numbers: [from, to], or (from, to] if `open`.
 using Range = ParameterRange;
 
-/// Numbers above `from`, up to `to`.
+/// Returns the range of the numbers above `from`, up to and including `to`.
 inline Range above(double from, double to = std::numeric_limits<double>::infinity()) { return {from, to, true}; }
 
-/// Description of an option for a person. Its default is the member's initialiser in the struct of options.
+/// The description of an option for users. The default of the option is the initialiser of its member in the struct of
+/// options.
 struct About {
   std::string unit = {};     ///< SI; empty or "1": none
-  Range range = {};          ///< of a number, or of each number of an array
-  std::string meaning = {};  ///< one line
-  std::string unset = {};    ///< for std::optional: the meaning of a missing value
+  Range range = {};          ///< allowed range of a number, or of each number in an array
+  std::string meaning = {};  ///< meaning in one line
+  std::string unset = {};    ///< for a std::optional: the meaning of a missing value
 };
 
-/// The names of an enumeration are declared next to it and found by its type:
+/// The names of the values of an enumeration, which a function next to the enumeration returns:
 ///     constexpr auto names_of(Flux) { return Names<Flux, 2>{{{Flux::symmetric, "symmetric"}, ...}}; }
 template <class E, std::size_t N>
 using Names = std::array<std::pair<E, std::string_view>, N>;
 
-/// An enumeration with names from `names_of`: the value of an option is one of these words.
+/// Whether E is an enumeration with names from `names_of`, one of which is then the value of an option.
 template <class E>
 concept Named = std::is_enum_v<E> && requires(E e) {
   names_of(e).size();
 };
 
-/// The name of an enumerator, as the case file spells it.
+/// Returns the name of an enumerator, as spelt in the case file.
 template <Named E>
 std::string name_of(E value) {
   for (auto const& [enumerator, name] : names_of(E{}))
@@ -49,13 +50,13 @@ std::string name_of(E value) {
 
 namespace detail {
 
-/// " in [0, 1)", " > 0".
+/// Returns a range as text: " in [0, 1)", " > 0".
 std::string text_of(Range const& range);
 std::string quoted(std::string_view text);
 std::string with_unit(About const& about);
 std::string allowed_integers(About const& about);
 std::string allowed_names(std::vector<std::string> const& names);
-/// Functions that read a value and throw Problem if it is not allowed.
+/// Returns an integer. Throws Problem if the value is not allowed, like all functions read_...().
 std::int64_t read_integer(Value const& value, About const& about, std::int64_t least, std::int64_t largest);
 std::string allowed_array(int count, About const& about);
 std::vector<double> read_array(Value const& value, About const& about, int count);
@@ -63,8 +64,8 @@ std::size_t read_name(Value const& value, std::vector<std::string> const& names)
 
 }  // namespace detail
 
-/// How values of type V are read (throws Problem), described and written as TOML. A type of one's own gets a
-/// specialisation.
+/// The functions that read, describe and write values of type V as TOML. To use another type for options, specialise
+/// this template.
 template <class V>
 struct Codec {
   static_assert(sizeof(V) == 0,
@@ -75,9 +76,10 @@ struct Codec {
                 "scree::app::Codec");
   /// Returns a text that lists the allowed values.
   static std::string allowed(About const& about);
-  /// The value of an option from that of a case file. Throws Problem where it is of another type or out of range.
+  /// Returns the value of an option from a value in a case file. Throws Problem if the value has another type or is out
+  /// of range.
   static V read(Value const& value, About const& about);
-  /// The value as TOML.
+  /// Returns a value as TOML.
   static std::string text(V const& value);
 };
 
@@ -106,7 +108,7 @@ struct Codec<std::vector<double>> {
   static std::string text(std::vector<double> const& value);
 };
 
-/// A vector with a fixed number of components, as the parameters of motions.
+/// The codec of vectors with a fixed number of components, for instance the parameters of motions.
 template <int Dim>
 struct Codec<scree::detail::VectorParameter<Dim>> {
   using V = scree::detail::VectorParameter<Dim>;
@@ -146,7 +148,7 @@ struct Codec<E> {
   static std::string text(E value) { return detail::quoted(name_of(value)); }
 };
 
-/// An option that may be left out; its text is then empty.
+/// The codec of options that may be left out; the text of a missing value is empty.
 template <class V>
 struct Codec<std::optional<V>> {
   static std::string allowed(About const& about) { return Codec<V>::allowed(about); }

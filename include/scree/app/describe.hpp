@@ -6,14 +6,14 @@
 
 namespace scree::app {
 
-/// The table of all options in Markdown: key, unit, default, allowed values, meaning.
+/// Returns the table of all options in Markdown: key, unit, default, allowed values, meaning.
 std::string option_table(OptionList const& list, void const* standard);
 template <class T>
 std::string option_table(Schema<T> const& schema) {
   return option_table(schema.list(), &schema.standard());
 }
 
-/// The options as a commented case file, which read_case() reads back to the same options.
+/// Returns the options as a commented case file, from which read_case() reads the same options.
 std::string case_text(OptionList const& list, void const* options);
 template <class T>
 std::string case_text(Schema<T> const& schema, T const& options) {

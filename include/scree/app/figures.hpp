@@ -11,19 +11,18 @@
 
 namespace scree::app {
 
-/// Figures of a finished or stopped run, of all ranks of its case, for its summary. All ranks call figures_of()
-/// together.
+/// Figures of a finished or stopped run, over all ranks of its case, for its summary.
 struct Figures {
   double time = 0;  ///< s
   long steps = 0, neighbour_builds = 0;
   int particles = 0, wall_particles = 0;
-  long lost = 0;  ///< particles beyond walls and initial material, see Solver::lost()
+  long lost = 0;  ///< particles beyond the walls and the initial material, see Solver::lost()
   std::map<std::string, long> steps_by_limit = {};
   std::string execution_space = {};
-  Packing packing = {};  ///< of the grains under pressure, see Solver::packing(); of none without a stress
+  Packing packing = {};  ///< packing of the grains under pressure, see Solver::packing(); empty without a stress
 };
 
-/// The figures of a solver at the present state.
+/// Returns the figures of a solver in its current state. All ranks call this together.
 template <class S>
 Figures figures_of(S const& solver) {
   Figures figures{.time = solver.time(),
@@ -38,8 +37,8 @@ Figures figures_of(S const& solver) {
   return figures;
 }
 
-/// Adds to a summary the numbers of particles, wall particles, lost ones and steps of a run that took some wall time
-/// (s), that time, and the particles times the steps over it: `particles`, `wall_particles`, `lost`, `steps`,
+/// Adds to a summary the numbers of particles, wall particles, lost particles and steps of a run, its wall time (s),
+/// and the number of particles times the number of steps per wall time: `particles`, `wall_particles`, `lost`, `steps`,
 /// `wall_seconds`, `particle_steps_per_second`.
 inline void add_counts(Json::Object& summary, Figures const& figures, double wall_seconds) {
   summary.emplace_back("particles", figures.particles);
@@ -50,9 +49,9 @@ inline void add_counts(Json::Object& summary, Figures const& figures, double wal
   summary.emplace_back("particle_steps_per_second", double(figures.steps) * figures.particles / wall_seconds);
 }
 
-/// Adds to a summary the number density of the grains under pressure over that at rest: `packing`, the median of those
-/// with others on all sides; `packing_loosest` and `packing_densest`, the values of the loosest and of the densest
-/// twentieth of them. All three are NaN if there are none.
+/// Adds to a summary the number density of the grains under pressure, divided by the number density at rest. `packing`
+/// is the median over the grains with neighbours on all sides; `packing_loosest` and `packing_densest` are the values
+/// for the loosest and the densest twentieth of these grains. All three are NaN if there are no such grains.
 inline void add_packing(Json::Object& summary, Packing const& packing) {
   auto const add = [&](char const* name, double value) {
     summary.emplace_back(name, packing.full > 0 ? value : std::numeric_limits<double>::quiet_NaN());

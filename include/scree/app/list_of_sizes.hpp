@@ -10,17 +10,18 @@
 
 namespace scree::app {
 
-/// The models of a mixture whose grain sizes come from a list. Programs use it in place of their models of two sizes.
+/// The models of a mixture whose grain sizes come from a list. Programs use them in place of their models for two
+/// sizes.
 struct ListOfSizes {
   static constexpr int species = most_species;
   using Grains = PolydisperseGrains<species>;
   using Segregation = SpeciesSegregation<SizeRatioClosure<species>>;
-  /// For output.
+  /// The concentrations of all species, for output.
   using EachConcentration = scree::EachConcentration<species>;
 
-  /// The grains of a law, with the diameters of a list.
+  /// Returns the grains of a law, with the diameters of a list.
   static Grains grains(SpeciesList const& list) { return {.diameters = list.all_diameters()}; }
-  /// The segregation model, with the diameters of a list in its closure.
+  /// Returns the segregation model, with the diameters of a list in its closure.
   static Segregation segregation(SpeciesList const& list) { return {.closure = {.diameters = list.all_diameters()}}; }
 };
 

@@ -7,11 +7,11 @@
 namespace scree::app {
 
 namespace detail {
-/// The complaint about a number of particles; empty: none.
+/// Returns the message about a number of particles; empty: none.
 std::string about_memory(double particles);
 }  // namespace detail
 
-/// Refuses, at `key`, a case of more particles than can be counted or than there is memory for.
+/// Rejects, at `key`, a case with more particles than can be counted or fit into memory.
 template <class T>
 void require_memory(Schema<T>& schema, std::string key, std::function<double(T const&)> particles) {
   schema.complain({std::move(key), [particles](T const& options) { return detail::about_memory(particles(options)); }});

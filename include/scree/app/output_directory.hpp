@@ -9,25 +9,25 @@
 
 namespace scree::app {
 
-/// The output directory of a run.
+/// A request for the output directory of a run.
 struct OutputRequest {
   std::filesystem::path directory;
-  std::vector<std::string> results = {};  ///< names of the files the run will write there
-  bool force = false;                     ///< results of an earlier run may go
-  std::filesystem::path continues = {};   ///< the checkpoint to start from; its results are in the same directory
+  std::vector<std::string> results = {};  ///< names of the files that the run will write there
+  bool force = false;                     ///< whether results of an earlier run may be removed
+  std::filesystem::path continues = {};   ///< the checkpoint to start from; the results of its run are beside it
 };
 
-/// The directory that a run writes its results to. While this object exists, no other run writes there.
+/// The directory to which a run writes its results. As long as this object exists, no other run writes there.
 class OutputDirectory {
  public:
-  /// Makes sure that a run can write its results, before it starts: creates the directory, and stops when it holds the
-  /// results of another run, unless by force or to continue them. Changes no result.
-  /// Throws std::runtime_error naming the file and the reason.
+  /// Creates the directory and checks, before a run starts, that it can write its results. Changes no result. Throws
+  /// std::runtime_error with the file and the reason, for instance if the directory contains the results of another run
+  /// that are neither to be replaced (`force`) nor continued.
   explicit OutputDirectory(OutputRequest request);
   ~OutputDirectory();
 
-  /// Removes all results of another run. Writes case.toml, and the checkpoint that the run continues, if there is one.
-  /// Call it when only a failing disk can still stop the run.
+  /// Removes all results of another run and writes case.toml and, if there is one, the checkpoint from which the run
+  /// continues. Call this when only a failing disk can still stop the run.
   void begin(std::string const& case_text) const;
 
  private:

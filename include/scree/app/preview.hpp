@@ -15,39 +15,39 @@
 
 namespace scree::app {
 
-/// Ends a program that has written its preview: an exit code of 0, and no message.
+/// An exception that ends a program after it has written its preview, with exit code 0 and without a message.
 struct PreviewWritten {};
 
 /// The content of a preview.
 struct StartState {
-  Snapshot snapshot;                        ///< before the first step
+  Snapshot snapshot;                        ///< state before the first step
   double spacing = 0;                       ///< m
-  std::optional<std::string> refusal = {};  ///< the message of the checks of the start; none: they pass
-  std::string warning = {};                 ///< of the law; empty: none
+  std::optional<std::string> refusal = {};  ///< the message of the failed start checks; empty: all passed
+  std::string warning = {};                 ///< warning of the law; empty: none
   double step = 0;                          ///< length of the first step, s; 0: not taken
-  std::map<std::string, long> limits = {};  ///< how many steps each limit has set
+  std::map<std::string, long> limits = {};  ///< the number of steps that each limit has set
 };
 
-/// A solver whose state can be shown.
+/// Whether S is a solver whose state can be shown.
 template <class S>
 concept CanBeShown = requires(S& solver) {
   { solver.snapshot() } -> std::same_as<Snapshot>;
   { solver.step(1.0) } -> std::convertible_to<double>;
 };
 
-/// The preview of a case (`--preview`): one page for the browser, preview.html in the output directory, with the
-/// particles before the first step and a report of the checks of the start. Other files stay as they are.
+/// The preview of a case (`--preview`): a page for the browser, preview.html in the output directory, with the
+/// particles before the first step and a report of the start checks. Other files remain unchanged.
 class Preview {
  public:
   /// The longest first step, s.
   static constexpr double longest_step = 1;
 
-  /// Throws std::runtime_error if a file of that name exists that is not such a page.
+  /// Throws std::runtime_error if preview.html exists but is not such a page.
   Preview(std::string program, CommandLine const& line);
 
-  /// Calls `check`, takes the first step to know its length, writes the page and prints the report. Throws what the
-  /// checks throw, after the page was written; otherwise PreviewWritten. A state with values that are not finite is
-  /// refused without a page. All ranks of a case call it together.
+  /// Calls `check`, takes the first step to determine its length, writes the page and prints the report. Then throws
+  /// the exception of the checks or, if they pass, PreviewWritten. A state with values that are not finite is rejected
+  /// without a page. All ranks of a case call this together.
   template <class S, class Check>
   [[noreturn]] void show(S& solver, Check const& check) const {
     StartState state{.snapshot = solver.snapshot(), .spacing = solver.settings().spacing};
@@ -68,11 +68,11 @@ class Preview {
     write(state);
     throw PreviewWritten();
   }
-  /// Writes the page and prints the report, on the first rank of a case. Throws std::runtime_error if the page
-  /// cannot be written.
+  /// Writes the page and prints the report on the first rank of a case. Throws std::runtime_error if the page cannot be
+  /// written.
   void write(StartState const& state) const;
 
-  /// The page that write() makes.
+  /// Returns the path of the page.
   std::filesystem::path const& file() const { return file_; }
 
  private:

@@ -17,12 +17,12 @@ namespace scree::app::detail {
 
 /// Throws CaseError for a study.
 void refuse_study(CommandLine const& line, int processes);
-/// Throws CaseError where mpirun has started more than one process of this program.
+/// Throws CaseError if mpirun has started more than one process of this program.
 void refuse_mpirun();
 
 inline namespace SCREE_CASES {
 #ifdef SCREE_MPI
-/// The processes of a program, those of mpirun. Only the first writes to the standard output.
+/// The processes that mpirun has started for a program. Only the first process writes to standard output.
 class Processes {
  public:
   Processes(int& argc, char**& argv) : mpi_(argc, argv) {
@@ -31,10 +31,10 @@ class Processes {
   void check(CommandLine const& line) const {
     if (MpiProgram::ranks() > 1) refuse_study(line, MpiProgram::ranks());
   }
-  /// Prints the message of this one and returns its exit code; a failure ends all.
+  /// Prints the message of this process and returns its exit code. A failure ends all processes.
   int end(Outcome const& outcome) const {
     bool const failure = outcome.exit_code > 0 && outcome.exit_code < 128;
-    // The first rank tells of a failure of all.
+    // If all ranks fail, the first one reports it.
     if (failure && !writes_files()) std::this_thread::sleep_for(std::chrono::seconds(1));
     print_message(outcome);
     return mpi_.end(outcome.exit_code);
@@ -44,7 +44,7 @@ class Processes {
   MpiProgram mpi_;
 };
 #else
-/// The processes of a program: one.
+/// The only process of a program.
 struct Processes {
   Processes(int&, char**&) {}
   void check(CommandLine const&) const { refuse_mpirun(); }

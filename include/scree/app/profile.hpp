@@ -10,13 +10,13 @@
 
 namespace scree::app {
 
-/// Prints the table of profile_text() on the first rank, if the command line has --profile:
+/// Prints the table of profile_text() on the first rank if the command line contains --profile:
 ///
 ///     Profiler const profiler(solver);
 ///     run_with(solver, ...);
 ///     app::print_profile(run, profiler, solver);
 ///
-/// All ranks call it together.
+/// All ranks call this function together.
 template <class T, class S>
 void print_profile(Run<T> const& run, Profiler const& profiler, S const& solver) {
   if (!run.profile) return;

@@ -21,14 +21,15 @@ using Space = Kokkos::DefaultExecutionSpace;
 
 namespace detail {
 
-/// A simulation on an instance of the execution space. Without one it runs on the default instance, one at a time.
+/// A simulation on a given instance of the execution space. A simulation that ignores the instance and uses the default
+/// one sets `one_at_a_time`.
 template <class T>
 struct Simulation {
   std::function<int(Run<T> const&, Space const&)> run;
   bool one_at_a_time = false;
 };
 
-/// The study that a command line requests. Returns the exit code of the program.
+/// Runs the study that a command line requests and returns the exit code of the program.
 template <class T>
 int run_members(CommandLine const& line, Schema<T> const& schema, Program const& program,
                 Simulation<T> const& simulation) {
@@ -60,7 +61,7 @@ int run_members(CommandLine const& line, Schema<T> const& schema, Program const&
   return study.finish(interrupt.exit_code());
 }
 
-/// The name of a program and its arguments for Kokkos, which would print a help of its own for --help.
+/// Returns the name of a program and its arguments for Kokkos, which would otherwise print its own help for --help.
 inline std::vector<char*> arguments_of_kokkos(int argc, char** argv) {
   std::vector<char*> words;
   for (int k = 0; k < argc; ++k)
@@ -74,11 +75,11 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
                 Simulation<T> const& simulation) {
   guard_streams();
 #ifdef KOKKOS_ENABLE_OPENMP
-  // Kokkos warns if it is unset. False is the default of OpenMP, unless places are given.
+  // Kokkos warns if OMP_PROC_BIND is not set. Unless places are given, OpenMP's default is false.
   if (::getenv("OMP_PLACES") == nullptr) ::setenv("OMP_PROC_BIND", "false", 0);
 #endif
 #ifdef KOKKOS_ENABLE_CUDA
-  ::setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);  // with fewer of them than streams, streams wait for each other
+  ::setenv("CUDA_DEVICE_MAX_CONNECTIONS", "32", 0);  // fewer connections than streams make streams wait
 #endif
   Processes const processes(argc, argv);
   auto of_kokkos = arguments_of_kokkos(argc, argv);
@@ -103,15 +104,15 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
 
 inline namespace SCREE_CASES {
 
-/// The main() of a case program: initialises Kokkos, and MPI where SCREE_MPI is defined (ranks.hpp), reads the command
-/// line and the case, runs `simulate`, and turns an exception into one message. Returns the exit code: that of
-/// `simulate`, or an ExitCode.
+/// Runs a case program for main(): initialises Kokkos and, if SCREE_MPI is defined (ranks.hpp), MPI, reads the command
+/// line and the case, runs `simulate`, and turns an exception into one message. Returns the exit code of `simulate` or
+/// an ExitCode.
 ///
 ///     int main(int argc, char** argv) { return app::run_program(argc, argv, program, schema(), simulate); }
 ///
-/// `simulate` calls Run::begin() with its solver, ready for the first step, before it writes its first result.
-/// A program that can continue a run has the option Program::restart and uses app::Checkpoints. A study (`--study`,
-/// `--vary`) runs `simulate` for each of its members, one after the other.
+/// Before it writes its first result, `simulate` calls Run::begin() with its solver, which must be ready for the first
+/// step. A program that can continue a run has the option Program::restart and uses app::Checkpoints. A study
+/// (`--study`, `--vary`) runs `simulate` for one member after the other.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
                 std::type_identity_t<std::function<int(Run<T> const&)>> const& simulate) {
@@ -119,17 +120,17 @@ int run_program(int argc, char** argv, Program const& program, Schema<T> const& 
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{anywhere, true});
 }
 
-/// run_program() with a simulation that makes its solver on the given instance of the execution space, `int
-/// simulate(app::Run<Options> const& run, app::Space const& space)`: a study runs several members at a time.
+/// Runs a case program whose simulation creates its solver on a given instance of the execution space:
+/// `int simulate(app::Run<Options> const& run, app::Space const& space)`. A study then runs several members at a time.
 template <class T>
 int run_program(int argc, char** argv, Program const& program, Schema<T> const& schema,
                 std::type_identity_t<std::function<int(Run<T> const&, Space const&)>> const& simulate) {
   return detail::run_program(argc, argv, program, schema, detail::Simulation<T>{simulate});
 }
 
-/// run_program() for programs that were written for version 0.1, which also give a function that names the checkpoint.
-/// It refuses programs without the option Program::restart: a run could not tell whether it continues the results that
-/// it would replace.
+/// Runs a case program that was written for version 0.1 and also passes a function that names the checkpoint. Refuses
+/// programs without the option Program::restart: their runs could not tell whether they continue the results that they
+/// would replace.
 template <class T, class Simulate>
 [[deprecated("leave out the last argument: the option with the checkpoint is Program::restart")]] int run_program(
     int argc, char** argv, Program const& program, Schema<T> const& schema, Simulate const& simulate,

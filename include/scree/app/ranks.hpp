@@ -4,10 +4,10 @@
 
 #include "schema.hpp"
 
-// How a case program is compiled decides whether its cases may be divided into ranks (docs/distributed.md): with
-// SCREE_MPI defined the ranks are processes of mpirun or threads, with SCREE_RANKS threads; without either a case is
-// whole. Everything that depends on it is in an inline namespace of that name: the files of a program may differ in it,
-// and a linker would otherwise merge functions and classes of the same name.
+// Macros decide whether the cases of a program may be divided into ranks (docs/distributed.md): with SCREE_MPI, ranks
+// are processes of mpirun or threads; with SCREE_RANKS, ranks are threads; without either, cases are not divided.
+// Everything that depends on this choice is in the inline namespace SCREE_CASES, because the source files of a program
+// may differ in their choice, and a linker would otherwise merge functions and classes of the same name.
 #ifdef SCREE_MPI
 #define SCREE_RANKS
 #define SCREE_CASES cases_on_mpi
@@ -28,7 +28,7 @@ inline constexpr bool has_ranks = false;
 #endif
 }  // namespace SCREE_CASES
 
-/// The option that tells how many ranks a case has:
+/// Returns the description of the option for the number of ranks of a case:
 ///     .add("ranks", &Numerics::ranks, app::about_ranks())
 inline About about_ranks() {
   return {
@@ -37,7 +37,7 @@ inline About about_ranks() {
 }
 
 inline namespace SCREE_CASES {
-/// Refuses, at `key`, more than one rank in a program that is compiled without ranks.
+/// Rejects, at `key`, more than one rank in a program that is compiled without ranks.
 template <class T>
 void require_ranks(Schema<T>& schema, std::string key, std::function<int(T const&)> ranks) {
   schema.require({std::move(key), [ranks](T const& options) { return has_ranks || ranks(options) == 1; },

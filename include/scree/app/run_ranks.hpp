@@ -20,7 +20,7 @@
 namespace scree::app {
 inline namespace SCREE_CASES {
 
-/// The formulation that a program solves in place of F: F itself, or OnRanks<F> where it is compiled for ranks.
+/// The formulation that a program solves in place of F: F itself or, if the program is compiled for ranks, OnRanks<F>.
 #ifdef SCREE_RANKS
 template <class F>
 using AsCompiled = OnRanks<F>;
@@ -29,14 +29,15 @@ template <class F>
 using AsCompiled = F;
 #endif
 
-/// The member `ranks` of the settings of its solver.
+/// The type of the member `ranks` of solver settings.
 template <class P>
 using Ranks = decltype(SolverSettings<P>::ranks);
 
-/// Runs a case by simulate(run, space, ranks), where `ranks` belongs to the settings of its solver: once for a whole
-/// case; for each rank of a divided one, at the same time, in a process of mpirun, or in a thread with its share of the
-/// threads of this process. The ranks call Run::begin(), the solver and all output together; only the first prints.
-/// Unless the run is quiet, it first prints the transport, its speed and the host and device of each rank.
+/// Runs a case by simulate(run, space, ranks), where `ranks` belongs in the settings of its solver. An undivided case
+/// calls `simulate` once. A divided case calls it on all ranks at the same time, each in a process of mpirun or in a
+/// thread with its share of the threads of this process. The ranks call Run::begin(), the solver and all output
+/// together; only the first rank prints. Unless the run is quiet, it first prints the transport, its speed, and the
+/// host and device of each rank.
 ///
 ///     template <class P>
 ///     int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
@@ -45,7 +46,7 @@ using Ranks = decltype(SolverSettings<P>::ranks);
 ///     }
 ///     app::run_ranks<app::AsCompiled<Formulation>>(run, space, run.options.ranks, simulate_rank<...>);
 ///
-/// Returns the exit code of the first rank. Rethrows the exception of a rank.
+/// Returns the exit code of the first rank of this process. Rethrows the exception of a rank.
 template <class P, class T, class Simulate>
 int run_ranks(Run<T> const& run, typename P::space const& space, [[maybe_unused]] int ranks, Simulate const& simulate) {
 #ifdef SCREE_RANKS
@@ -73,7 +74,7 @@ int run_ranks(Run<T> const& run, typename P::space const& space, [[maybe_unused]
     return exit_code;
   }
 #endif
-  Ranks<P> const undivided{};  // g++ 14 warns of a temporary
+  Ranks<P> const undivided{};  // g++ 14 warns about a temporary
   return simulate(run, space, undivided);
 }
 

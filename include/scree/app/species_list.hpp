@@ -10,34 +10,34 @@
 #include <string>
 #include <vector>
 
-// A list of sizes of grains in the case file of a program, in place of small and large ones.
+// A list of grain sizes in the case file of a program, in place of small and large grains.
 namespace scree::app {
 
-/// The largest number of sizes in a list: programs have one model for all lists of 2 to this number. Species beyond
-/// those of a list are absent: their concentrations are 0 everywhere and stay so, which changes no result of the
-/// others.
+/// The largest number of sizes in a list: programs have one model for all lists of 2 to this number of sizes. Species
+/// beyond the end of a list are absent: their concentrations are and remain 0 everywhere, which does not affect the
+/// results of the other species.
 inline constexpr int most_species = 5;
 
-/// Sizes of grains, in any order. Without diameters there is no list, and the program has its two sizes.
+/// Grain sizes in any order. Without diameters there is no list, and the program uses its two sizes.
 struct SpeciesList {
   std::vector<double> diameters = {};  ///< m
-  std::vector<double> shares = {};     ///< of the volume of all grains
+  std::vector<double> shares = {};     ///< share of each size in the volume of all grains
 
   /// Whether there is no list.
   bool empty() const { return diameters.empty(); }
-  /// 0 without a list.
+  /// Returns the number of sizes; 0 without a list.
   int count() const { return int(diameters.size()); }
-  /// The number, from 0, of the smallest grains; the list is not empty.
+  /// Returns the index of the smallest grains in the list, which must not be empty.
   int smallest() const { return int(std::ranges::min_element(diameters) - diameters.begin()); }
 
   using Mixture = Vec<most_species, double>;
-  /// For models of `most_species` species; absent ones have the diameter of the last.
+  /// Returns the diameters (m) for models of `most_species` species; absent species have the diameter of the last one.
   Mixture all_diameters() const {
     Mixture d;
     for (int k = 0; k < most_species; ++k) d[k] = diameters[std::size_t(std::min(k, count() - 1))];
     return d;
   }
-  /// The mixture of all grains. Its sum is 1 to rounding.
+  /// Returns the mixture of all grains. Its sum is 1, apart from rounding errors.
   Mixture mixed() const {
     double total = 0;
     for (double const share : shares) total += share;
@@ -45,8 +45,8 @@ struct SpeciesList {
     for (int k = 0; k < count(); ++k) C[k] = shares[std::size_t(k)] / total;
     return C;
   }
-  /// Layers in the order of the list: the mixture of a particle that fills the bed from the share `from` of its volume
-  /// to the share `to`.
+  /// Returns the mixture of a particle that fills a bed from the share `from` of its volume to the share `to`. The bed
+  /// has layers in the order of the list.
   Mixture layer(double from, double to) const {
     Mixture const all = mixed();
     Mixture C;
@@ -56,7 +56,8 @@ struct SpeciesList {
       C[k] = std::max(0.0, std::min(to, above) - std::max(from, below));
       below = above;
     }
-    // The tops of the last layer and of the bed may differ by rounding: a particle between them gets the last species.
+    // The tops of the last layer and of the bed may differ by rounding errors; a particle between them gets the last
+    // species.
     return C.sum() > 0 ? Mixture(C / C.sum()) : Mixture(Mixture::Unit(count() - 1));
   }
 };
@@ -80,8 +81,8 @@ inline std::string fault_of_shares(SpeciesList const& list) {
 
 }  // namespace detail
 
-/// Adds a section "species" with the list. `order` says what its order means, and `replaced` names the options that a
-/// list replaces.
+/// Adds a section "species" with the list. `order` is a text that explains the order of the list; `replaced` names the
+/// options that a list replaces.
 template <class T>
 void describe_species(Schema<T>& schema, SpeciesList T::*list, std::string const& order,
                       std::vector<std::string> const& replaced) {

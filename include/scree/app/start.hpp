@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "case_file.hpp"
 #include "command_line.hpp"
 #include "output_directory.hpp"
@@ -14,7 +14,7 @@
 namespace scree::app {
 
 namespace detail {
-/// Throws CaseError: the material has no particles at this spacing (m).
+/// Throws CaseError with the message that the material has no particles at this spacing (m).
 [[noreturn]] void refuse_empty(double spacing);
 }  // namespace detail
 
@@ -26,14 +26,15 @@ struct Run {
   bool quiet = false;
   bool profile = false;        ///< print the cost of the steps, see print_profile() in profile.hpp
   std::string case_text = {};  ///< the effective case file, for the provenance of other files
-  std::shared_ptr<OutputDirectory const> directory = {};  ///< keeps other runs out of `output`
-  std::function<void()> meet = {};                        ///< waits for the other ranks of the case, if it has any
-  std::shared_ptr<Preview const> preview = {};            ///< of a run that is to show its start, and stop
+  std::shared_ptr<OutputDirectory const> directory = {};  ///< prevents other runs from using `output`
+  std::function<void()> meet = {};                        ///< waits for the other ranks of the case, if there are any
+  std::shared_ptr<Preview const> preview = {};            ///< set if the run is to show its initial state and stop
 
-  /// Makes the directory ready for the results of a solver, see OutputDirectory::begin(), once it is certain that the
-  /// solver can take its next step (Solver::check_start()). Until then earlier results stay as they were; all ranks of
-  /// a case have read what they need of them. Throws what the step would throw, and CaseError for a case without
-  /// particles that no inlet feeds. With --preview it writes the page of the start, and throws what ends the program.
+  /// Prepares the directory for the results of a solver, see OutputDirectory::begin(), after checking that the solver
+  /// can take its next step (Solver::check_start()). Earlier results remain unchanged until all ranks of a case have
+  /// reached this point and have thus read what they need from these results. Throws what the step would throw, and
+  /// CaseError for a case without particles and without inlets. With --preview, writes the page of the initial state
+  /// and throws an exception that ends the program.
   template <class S>
   void begin(S& solver) const {
     auto const check = [&] {
@@ -51,7 +52,7 @@ struct Run {
 
 namespace detail {
 
-/// A run without its options, which are read into a struct of any type.
+/// A run without its options, whose type may be any struct.
 struct AnyRun {
   std::filesystem::path output;
   bool quiet = false;
@@ -60,8 +61,8 @@ struct AnyRun {
   std::shared_ptr<OutputDirectory const> directory;
   std::shared_ptr<Preview const> preview = {};
 };
-/// Takes the directory of a run. A checkpoint that the run continues must be complete: it is read here, before anything
-/// that takes time, and again by the run.
+/// Acquires the output directory of a run. A checkpoint from which the run continues must be complete; it is therefore
+/// read here, before anything that takes time, and again by the run.
 std::shared_ptr<OutputDirectory const> take_directory(OutputRequest request);
 
 struct AnyCase {
@@ -74,14 +75,13 @@ std::optional<AnyRun> start(CommandLine const& line, AnyCase const& into, Progra
 
 /// Whether a program has the option Program::restart.
 bool has_restart(OptionList const& list, Program const& program);
-/// After a signal that left a checkpoint, prints the option that continues the run from it.
+/// Prints the option that continues the run from its checkpoint after a signal.
 void note_how_to_continue(int signal, CommandLine const& line, OptionList const& list, Program const& program);
 
 }  // namespace detail
 
-/// Everything before a run: reads the case that a command line names, and takes the output directory. Its results stay
-/// until Run::begin(). Returns nothing when there is nothing to run.
-/// Throws CaseError or std::runtime_error.
+/// Prepares a run: reads the case that a command line names, and acquires the output directory, whose results remain
+/// until Run::begin(). Returns nothing if there is nothing to run. Throws CaseError or std::runtime_error.
 template <class T>
 std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Program const& program) {
   T options = schema.standard();
@@ -90,8 +90,8 @@ std::optional<Run<T>> start(CommandLine const& line, Schema<T> const& schema, Pr
   return Run<T>{std::move(options), run->output,    run->quiet, run->profile,
                 run->case_text,     run->directory, {},         run->preview};
 }
-/// start() with the arguments of main(), without the name of the program. If there is nothing to run, it returns
-/// nothing, and `exit_code` is the exit code of main().
+/// Prepares a run from the arguments of main(), without the name of the program. If there is nothing to run, returns
+/// nothing and sets `exit_code` to the exit code of main().
 template <class T>
 std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const& schema, Program const& program,
                             int& exit_code) {
@@ -100,26 +100,26 @@ std::optional<Run<T>> start(std::vector<std::string> arguments, Schema<T> const&
   return start(*line, schema, program);
 }
 
-/// Exit codes of a case program, apart from 0 and those of signals.
+/// Exit codes of a case program, apart from 0 and the codes after signals.
 enum ExitCode {
   failed = 1,            ///< the run failed
   refused = 2,           ///< an option or the command line was rejected before anything was written
   outside_validity = 3,  ///< the state left the range in which the model is valid; results until then are kept
 };
 
-/// The outcome of a run: its exit code, and the message of its exception without a line break at the end; empty if
-/// there was none.
+/// The outcome of a run: its exit code, and the message of its exception without a final line break (empty: none).
 struct Outcome {
   int exit_code = 0;  ///< 0 without an exception
   std::string message = {};
 };
-/// Runs the body and returns its exit code; that of an exception is not 0, and comes with its message.
+/// Runs the body and returns its exit code or, after an exception other than PreviewWritten, a code other than 0 and
+/// the message.
 Outcome outcome_of(std::function<int()> const& body);
 
-/// On the standard error stream.
+/// Prints the message of an outcome, if there is one, on the standard error stream.
 void print_message(Outcome const& outcome);
 
-/// Runs main's body, prints the message and returns the exit code of its outcome.
+/// Runs the body of main(), prints the message of its outcome and returns the exit code.
 int guarded_main(std::function<int()> const& body);
 
 }  // namespace scree::app

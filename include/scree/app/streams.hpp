@@ -4,9 +4,9 @@
 
 namespace scree::app {
 
-/// To be called first in main(). Standard streams that are closed become /dev/null: otherwise the next file that is
-/// opened would take their place, and messages would go into it. A write to a pipe without a reader, or to a file at
-/// its size limit, fails with a reason and does not end the program.
+/// Protects the standard streams; main() must call this first. Closed standard streams become /dev/null: otherwise the
+/// next file that is opened would take their place, and messages would be written to it. A write to a pipe without a
+/// reader, or to a file at its size limit, then fails with a reason and does not end the program.
 void guard_streams();
 
 }  // namespace scree::app

@@ -9,31 +9,33 @@
 
 namespace scree::app::detail {
 
-/// The members of a study: their options, their earlier progress, their directories, and the table of all, study.csv.
-/// Options are given as pointers to structs of the program's type. begin() and run() may be called by several threads.
+/// The members of a study: their options, earlier progress and directories, and the table of all members, study.csv.
+/// Options are passed as pointers to structs of the program's type. Several threads may call begin() and run() at the
+/// same time.
 class Study {
  public:
-  /// Takes the directory of the study. Throws CaseError or std::runtime_error.
+  /// Acquires the directory of the study. Throws CaseError or std::runtime_error.
   Study(CommandLine const& line, OptionList const& list, void const* standard, Program const& program);
   ~Study();
 
   std::size_t size() const;
-  /// Sets the options of a member, which have their defaults before. check() returns the mistakes.
+  /// Sets the options of a member, which must have their default values before. Errors are recorded for check().
   void read(std::size_t member, void* options);
-  /// Finds out the content of the directory of a member. `scratch` is another struct of options with defaults.
+  /// Reads the earlier progress of a member from its directory. `scratch` is another struct of options with default
+  /// values.
   void look(std::size_t member, void const* options, void* scratch);
-  /// Throws CaseError naming everything that was wrong with any member.
+  /// Throws CaseError with the errors of all members, if there are any.
   void check() const;
 
-  /// Whether a member was run to its end before.
+  /// Whether an earlier run of a member was completed.
   bool finished(std::size_t member) const;
-  /// Takes the directory of a member; sets its options to continue from its checkpoint, if it has one.
+  /// Acquires the directory of a member and, if it contains a checkpoint, sets the options to continue from there.
   AnyRun begin(std::size_t member, void* options);
-  /// Runs a member and records its outcome in the table, so that a study that is continued can skip it.
+  /// Runs a member and records its outcome in the table and in its directory, so that a continued study can skip it.
   void run(std::size_t member, std::function<int()> const& body);
-  /// The number of members to run at a time, 0 if the command line leaves it open.
+  /// Returns the number of members to run at a time; 0 if the command line does not specify it.
   int workers(bool one_at_a_time) const;
-  /// Prints the outcome of the members. Returns the exit code of the program.
+  /// Prints the outcome of the members and returns the exit code of the program.
   int finish(int signal_code) const;
 
  private:

@@ -8,16 +8,18 @@
 
 namespace scree::app {
 
-/// "a, b, c", with anything in place of the comma.
+/// Returns texts joined as in "a, b, c", with any text in place of the comma.
 std::string join(std::span<std::string const> texts, std::string_view between = ", ");
 
-/// Returns a text of at most `most` bytes. A longer text is cut in its middle, which becomes "...".
+/// Returns a text of at most `most` bytes. In a longer text, "..." replaces the middle.
 std::string shortened(std::string_view text, std::size_t most = 80);
 
-/// Number of letters to insert, remove, replace or swap with a neighbour to get from one word to the other.
+/// Returns the number of letters to insert, remove, replace or swap with the next letter to turn one word into the
+/// other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name that was probably meant, or nothing if none is within a third of the word's length.
+/// Returns the name that was probably meant, or an empty text if no name is within an edit distance of a third of the
+/// length of the word.
 std::string nearest(std::string_view word, std::span<std::string const> names);
 
 }  // namespace scree::app

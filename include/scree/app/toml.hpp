@@ -9,21 +9,21 @@
 #include <string_view>
 #include <vector>
 
-// Implemented in toml.cpp, which the host compiler compiles: toml++ 3.3 does not pass through nvcc.
+// Implemented in toml.cpp, which is compiled by the host compiler, because nvcc does not compile toml++ 3.3.
 
 namespace scree::app {
 
-/// The sections of a TOML text in the order of its lines. `source` names it in positions.
-/// Throws Problem for a text that is not TOML, including duplicate keys.
+/// Returns the sections of a TOML text in the order of its lines. `source` is the name of the text in positions. Throws
+/// Problem if the text is not valid TOML, for instance because of duplicate keys.
 std::vector<Section> parse_toml(std::string_view text, std::string const& source);
 
-/// The sections of a TOML file in the order of its lines. Throws Problem as parse_toml() does, and if the file cannot
-/// be read.
+/// Returns the sections of a TOML file in the order of its lines. Throws Problem as parse_toml() does, and if the file
+/// cannot be read.
 std::vector<Section> read_toml_file(std::filesystem::path const& file);
 
-/// "section.key=value" from the command line. The value is TOML; otherwise it is taken as text, so that names need no
-/// quotes within the shell's. `source` is the option of the command line, for messages.
-/// Throws Problem without a dot or an equals sign.
+/// Returns the section with the entry of a text "section.key=value" from the command line. A value that is not TOML is
+/// taken as text, so that names need no quotes inside the quotes of the shell. `source` is the command-line option, for
+/// messages. Throws Problem if the dot or the equals sign is missing.
 Section parse_override(std::string const& text, std::string const& source = "--set");
 
 }  // namespace scree::app

@@ -13,23 +13,23 @@
 
 namespace scree::app {
 
-/// The source of a value: a line and column (from 1) of a file; line 0: the command line.
+/// The place of a value: a line and column (from 1) in a file; line 0: the command line.
 struct Where {
   std::string source;
   unsigned line = 0, column = 0;
 
   auto operator<=>(Where const&) const = default;
-  /// "file:line:column"; the source alone where there is no line.
+  /// Returns "file:line:column", or the source alone if there is no line.
   std::string text() const { return line == 0 ? source : fmt::format("{}:{}:{}", source, line, column); }
 };
 
-/// A value as it is written in the case file, before its type is known.
+/// A value as written in the case file, before its type is known.
 struct Value {
-  struct Other {  // a type that no option takes: a table, a date, ...
+  struct Other {  // a type that no option accepts: a table, a date, ...
     std::string kind;
   };
-  struct TooLarge {       // a number that is no 64-bit integer or no double
-    std::string written;  ///< as it is written there
+  struct TooLarge {       // a number that does not fit a 64-bit integer or a double
+    std::string written;  ///< as written in the file
     char const* beyond;   ///< "integers beyond 9223372036854775807"
   };
   using Array = std::vector<Value>;
@@ -37,14 +37,14 @@ struct Value {
   std::variant<bool, std::int64_t, double, std::string, Array, TooLarge, Other> data;
   Where where;
 
-  /// "an integer", "a text", ...: for messages.
+  /// Returns the kind of value for messages: "an integer", "a text", ...
   std::string kind() const {
     char const* const names[] = {"true or false", "an integer", "a number", "a text", "an array", "a number"};
     return data.index() < std::size(names) ? names[data.index()] : std::get<Other>(data).kind;
   }
 };
 
-/// One `key = value`, and a section with all of its own.
+/// An entry `key = value` of a section.
 struct Entry {
   std::string key;
   Where where;
@@ -54,11 +54,11 @@ struct Entry {
 struct Section {
   std::string name;
   Where where;
-  bool is_table = true;  ///< false: this is not a section, but is written where sections belong
+  bool is_table = true;  ///< false: not a section, but written in the place of one
   std::vector<Entry> entries = {};
 };
 
-/// Something wrong with the input, and where.
+/// An error in the input, and its place.
 struct Problem {
   Where where;
   std::string message;  ///< what is wrong, with the allowed values

@@ -9,14 +9,14 @@
 #include "wall.hpp"
 
 // Walls of dummy particles that take velocity and stress from the material in front of them: Adami, Hu & Adams (2012);
-// Zhu et al. (2024), section 4.1. Wall particles move with the wall; the velocity that the material sees is a separate
-// field.
+// Zhu et al. (2024), section 4.1. Wall particles move with the wall; the wall velocity used by the material is a
+// separate field.
 namespace scree {
 
-/// The velocity that the material sees, m/s.
+/// The velocity of a wall particle as used by the material, m/s.
 struct DummyVelocity : Vector<"dummy velocity", "m/s"> {};
 
-/// $\sum_m V_m W_{dm} (x_d - x_m)$, m.
+/// The kernel-weighted offset of a wall particle from the material, $\sum_m V_m W_{dm} (x_d - x_m)$, m.
 struct WeightedOffset : Vector<"weighted offset", "m"> {};
 
 namespace fields {
@@ -26,7 +26,7 @@ inline constexpr WeightedOffset weighted_offset{};
 
 namespace adami {
 
-/// The kernel sum and the weighted offset of a wall particle over the material.
+/// Pair term for the kernel sum and the weighted offset of a wall particle over the material.
 struct Weights {
   using reads = Fields<>;
   using reads_j = Fields<Volume>;
@@ -40,7 +40,7 @@ struct Weights {
     sum[weighted_offset] += w * ij.x;
   }
 };
-/// The kernel-weighted sum of a field of the material at a wall particle.
+/// Pair term for the kernel-weighted sum of a field of the material at a wall particle.
 template <Field F>
 struct Weighted {
   using reads = Fields<>;
@@ -53,8 +53,8 @@ struct Weighted {
   }
 };
 
-/// The mean velocity of the material past a wall, <u_m - u_w(x_m)>, from the weighted sums of a wall particle that has
-/// material in front of it, m/s.
+/// Returns the mean velocity of the material relative to the wall, <u_m - u_w(x_m)>, m/s, from the weighted sums of a
+/// wall particle that has material in front of it.
 template <class I, class T>
 SCREE_FN auto mean_slip(I const& wall, T const& total) {
   using namespace fields;
@@ -64,8 +64,9 @@ SCREE_FN auto mean_slip(I const& wall, T const& total) {
   return vector(total[WeightedSum<Velocity>{}] / w - wall_there);
 }
 
-/// u_d mirrors the slip of the material past the wall, u_d = u_w(x_d) - <u_m - u_w(x_m)>, which is (4.1) for a wall at
-/// rest and exact for rigid motion; at a slip wall only the normal part is mirrored.
+/// Computes the velocity u_d of a wall particle, which mirrors the slip of the material: u_d = u_w(x_d) - <u_m -
+/// u_w(x_m)>. This is eq. (4.1) for a wall at rest and exact for rigid motion; at a slip wall only the normal part is
+/// mirrored.
 struct ExtrapolateVelocity {
   using reads = Fields<Velocity, VelocityGradient, SlipNormal>;
   using writes = Fields<DummyVelocity>;
@@ -79,7 +80,7 @@ struct ExtrapolateVelocity {
   }
 };
 
-/// The mean density of the material in front of a wall particle, from its weighted sums, kg/m^3.
+/// Returns the mean density, kg/m^3, of the material in front of a wall particle, from its weighted sums.
 template <class Rho, class T>
 SCREE_FN auto mean_density([[maybe_unused]] Rho const& rho, T const& total) {
   using namespace fields;
@@ -90,8 +91,9 @@ SCREE_FN auto mean_density([[maybe_unused]] Rho const& rho, T const& total) {
     return Real(rho.value);
 }
 
-/// sigma_d = <sigma_m>, continued over <x_d - x_m> by walls::extrapolated(): in place of (4.3), which leaves out the
-/// shear stress. At a slip wall the mirror image of <sigma_m>, to which the weight adds normal stresses only.
+/// Computes the stress sigma_d of a wall particle: <sigma_m> extrapolated over <x_d - x_m> by walls::extrapolated(), in
+/// place of eq. (4.3), which omits the shear stress. At a slip wall the mirror image of <sigma_m> is extrapolated, and
+/// the weight changes its normal stresses only.
 template <class Rho>
 struct ExtrapolateStress {
   Rho rho;  ///< of the material
@@ -114,7 +116,8 @@ struct ExtrapolateStress {
   }
 };
 
-/// The material sees the extrapolated velocity; the stress field of a wall particle already holds the extrapolated one.
+/// Lens through which the material reads the extrapolated velocity of a wall particle. The stress field of the wall
+/// particle already holds the extrapolated stress.
 struct Seen {
   static constexpr bool takes_packs = true;
   using provides = Fields<Velocity>;
@@ -125,8 +128,8 @@ struct Seen {
   }
 };
 
-/// The pass that computes `then` from the mean stress and the mean density in front of a wall particle, and from the
-/// sums `also`.
+/// Returns the pass that runs `then` on wall particles, with the weighted sums of stress and, if it varies, density of
+/// the material in front, and with the sums `also`.
 template <class Rho, class Then, class... Also>
 auto mean_stress_passes(Then const& then, Also const&... also) {
   auto const sums = [&] {
@@ -140,8 +143,8 @@ auto mean_stress_passes(Then const& then, Also const&... also) {
 
 }  // namespace adami
 
-/// Walls by extrapolation. StressOfWall<Rho>{rho, gravity} computes the stress of a wall particle from weighted sums,
-/// like adami::ExtrapolateStress.
+/// Wall scheme by extrapolation. StressOfWall<Rho>{rho, gravity} computes the stress of a wall particle from weighted
+/// sums, like adami::ExtrapolateStress.
 template <template <class Rho> class StressOfWall>
 struct ExtrapolatedWalls {
   static constexpr bool shows_means = true;
@@ -159,8 +162,8 @@ struct ExtrapolatedWalls {
   }
 };
 /// Walls of dummy particles that take velocity and stress from the material in front of them: Adami et al. (2012); Zhu
-/// et al. (2024), section 4.1, with the corrections of docs/theory/granular.md. They do not keep
-/// the energy of the material, see ConservingWalls.
+/// et al. (2024), section 4.1, with the corrections in docs/theory/granular.md. These walls do not conserve the energy
+/// of the material, see ConservingWalls.
 struct AdamiWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {};
 
 }  // namespace scree

@@ -12,11 +12,11 @@
 #include <tuple>
 #include <type_traits>
 
-// The antisymmetric stress (terms/antisymmetric_stress.hpp) that walls show, in the same way as the symmetric part.
+// The antisymmetric stress (terms/antisymmetric_stress.hpp) of walls, computed in the same way as the symmetric part.
 namespace scree {
 namespace walls {
 
-/// The antisymmetric stress of a wall particle: the mean of the material in front of it.
+/// Computes the antisymmetric stress of a wall particle, the mean of the material in front of it.
 struct MeanAntisymmetricStress {
   using reads = Fields<>;
   using writes = Fields<AntisymmetricStress>;
@@ -29,8 +29,8 @@ struct MeanAntisymmetricStress {
   }
 };
 
-/// The part of an antisymmetric tensor (axial vector a) without shear along a plane with the unit normal n: in space
-/// the rotation about n, in the plane nothing. All of it where n is zero.
+/// Returns the part of an antisymmetric tensor (axial vector a) that has no shear along a plane with the unit normal n:
+/// in 3D the rotation about n, in 2D zero. If n is zero, returns the whole tensor.
 template <class A, class X>
 SCREE_FN A without_shear(A const& a, X const& n) {
   using namespace math;
@@ -48,12 +48,12 @@ SCREE_FN A without_shear(A const& a, X const& n) {
 
 }  // namespace walls
 
-/// The antisymmetric stress that a wall particle shows to a particle of the material: the mean of the material, that of
-/// the particle itself, or that of the particle itself on plates and the mean elsewhere.
+/// The antisymmetric stress of a wall particle in the sum of a material particle: `mean`, the mean of the material;
+/// `own`, the stress of the material particle itself; `own_on_plates`, its own stress on plates and the mean elsewhere.
 enum class ShownByWall { mean, own, own_on_plates };
 
-/// The part of walls in AntisymmetricStressDivergence: $(1/\rho_i) \sum_d V_d (a_i + a_d) \times \nabla W_{id}$ with
-/// the a_d that a wall shows, at a slip wall without shear along the wall.
+/// Pair term for the part of walls in AntisymmetricStressDivergence, $(1/\rho_i) \sum_d V_d (a_i + a_d) \times \nabla
+/// W_{id}$, with a_d chosen by ShownByWall. At a slip wall the shear along the wall is removed.
 template <class Rho, ShownByWall Shown>
 struct AntisymmetricStressAtWall {
   static_assert(detail::explain_density<Rho>());

@@ -9,17 +9,19 @@
 #include <tuple>
 #include <type_traits>
 
-// Walls that show means of the stress, like those of adami.hpp, and keep the energy of the material: the strain rates
-// next to them are the adjoint of their forces.
+// Walls with mean stresses, like those of adami.hpp, that conserve the energy of the material: the operator for the
+// strain rates next to a wall is the adjoint of the operator for the forces of the wall.
 namespace scree {
 
-/// $\langle \partial u'/\partial x\rangle$ in a wall, of the velocity u' relative to the wall.
+/// The mean gradient $\langle \partial u'/\partial x\rangle$ at a wall particle of the velocity u' relative to the
+/// wall.
 struct SlipGradient : Tensor<"slip gradient", "1/s"> {};
 
-/// The velocity of a wall in strain rates: its own, along a slip wall the mean of the material, m/s.
+/// The velocity of a wall in strain rates, m/s: the velocity of the wall itself; along a slip wall past which material
+/// slides, the mean velocity of the material.
 struct StrainVelocity : Vector<"strain velocity", "m/s"> {};
 
-/// $\langle \nabla \cdot \sigma\rangle$ along a slip wall, of the stress along it, N/m^3.
+/// The mean force $\langle \nabla \cdot \sigma\rangle$ along a slip wall, with derivatives along the wall only, N/m^3.
 struct SlipForce : Vector<"slip force", "N/m^3"> {};
 
 namespace fields {
@@ -30,7 +32,7 @@ inline constexpr SlipForce slip_force{};
 
 namespace conserving {
 
-/// $\sum_m V_m u'_m \otimes \nabla_d W_{dm}$ over the material, with u' = u_m - u_w(x_m).
+/// Pair term for the sum over the material $\sum_m V_m u'_m \otimes \nabla_d W_{dm}$, with u'_m = u_m - u_w(x_m).
 struct SlipGradientSum {
   using reads = Fields<>;
   using reads_i = Fields<Velocity, VelocityGradient>;
@@ -45,8 +47,8 @@ struct SlipGradientSum {
   }
 };
 
-/// The share that the form for material at rest has along a slip wall: 1 where material slides more slowly than half of
-/// `sliding_speed` (m/s), 0 from `sliding_speed` on, and smooth in between.
+/// Returns the weight of the formulation for material at rest along a slip wall: 1 if the material slides more slowly
+/// than half of `sliding_speed` (m/s), 0 from `sliding_speed` on, and smooth in between.
 template <class X>
 SCREE_FN typename X::Scalar share_at_rest(X const& slip, X const& n, double sliding_speed) {
   using Real = typename X::Scalar;
@@ -56,8 +58,10 @@ SCREE_FN typename X::Scalar share_at_rest(X const& slip, X const& n, double slid
   return 1 - above * above * (3 - 2 * above);
 }
 
-/// The mirrored velocity of adami::ExtrapolateVelocity, for the viscosity; the velocity in strain rates; the gradient
-/// of u': that sum over the sum of V W, at a slip wall without shear along it.
+/// Computes three values of a wall particle: the mirrored velocity of adami::ExtrapolateVelocity, for the viscosity;
+/// the velocity in strain rates; and the gradient of u', which is SlipGradientSum divided by the sum of V W. At a slip
+/// wall the shear along the wall is removed from the gradient; for sliding material only the component normal to the
+/// wall remains.
 struct Velocities {
   double sliding_speed;  ///< m/s
   using reads = adami::ExtrapolateVelocity::reads;
@@ -85,8 +89,9 @@ struct Velocities {
   }
 };
 
-/// The sum over the wall in the velocity gradient: $\sum_d V_d [(u_d - u_i) \otimes \nabla W_{id} + W_{id} G_d]$ with
-/// the velocity of the wall in strain rates and the slip gradient G, at a slip wall without shear along the wall.
+/// Pair term for the sum over the wall in the velocity gradient, $\sum_d V_d [(u_d - u_i) \otimes \nabla W_{id} +
+/// W_{id} G_d]$, with the StrainVelocity u_d and the SlipGradient G_d. At a slip wall the shear along the wall is
+/// removed.
 struct WallStrain {
   using reads = Fields<>;
   using reads_i = Fields<Velocity>;
@@ -109,7 +114,8 @@ struct WallStrain {
   }
 };
 
-/// $\sum_m V_m \sigma_m \nabla_d W_{dm}$ over the material, at slip walls with the gradient along the wall.
+/// Pair term for the sum over the material $\sum_m V_m \sigma_m \nabla_d W_{dm}$ for slip walls, with the part of the
+/// gradient along the wall.
 struct SlipForceSum {
   using reads = Fields<>;
   using reads_i = Fields<SlipNormal>;
@@ -127,8 +133,9 @@ struct SlipForceSum {
   }
 };
 
-/// The stress of adami::ExtrapolateStress and the slip force, that sum over the sum of V W, of a slip wall each with
-/// its share along the wall.
+/// Computes the stress of adami::ExtrapolateStress and the slip force, SlipForceSum divided by the sum of V W. At a
+/// slip wall share_at_rest() multiplies the stress except its normal component across the wall, and one minus
+/// share_at_rest() multiplies the slip force.
 template <class Rho>
 struct Stresses {
   adami::ExtrapolateStress<Rho> mean;
@@ -152,8 +159,8 @@ struct Stresses {
   }
 };
 
-/// The mirrored mean velocity and the mean stress of the material; at a slip wall the stress whose sum with that of i
-/// has no shear along the wall.
+/// Lens through which the material reads the mirrored mean velocity and the mean stress. At a slip wall the stress is
+/// changed so that its sum with the stress of i has no shear along the wall.
 struct Lens {
   using provides = Fields<Velocity, Stress>;
   using reads = Fields<DummyVelocity, Stress, SlipNormal>;
@@ -179,8 +186,8 @@ struct Lens {
   }
 };
 
-/// The part of a slip wall in the divergence of the stress along it: $\sum_d V_d W_{id} H_d/\rho_i$, with the slip
-/// force H.
+/// Pair term for the part of a slip wall in the divergence of the stress along the wall, $\sum_d V_d W_{id}
+/// H_d/\rho_i$, with the slip force H_d.
 template <class Rho>
 struct AlongWall {
   Rho rho;
@@ -198,18 +205,20 @@ struct AlongWall {
 
 }  // namespace conserving
 
-/// Walls of dummy particles that show the mean stress of the material in front of them, as AdamiWalls, and keep its
-/// energy. The force of a wall on i is $\sum_d V_d \langle\sigma\rangle_d \nabla W_{id}$; its work is taken from the
-/// elastic energy if the velocity gradient at k has $\sum_d V_d [(u_w(x_d) - u_k) \otimes \nabla W_{kd} + W_{kd} G_d]$
-/// with $G_d = \sum_m V_m u'_m \otimes \nabla_d W_{dm}/\sum_m V_m W_{dm}$ in place of the difference from a mirrored
-/// velocity. It is exact for velocities that grow linearly from the wall. At walls with a `slip_normal` shear along the
-/// wall is left out of stress and strain alike, and where material slides, both change their parts along the wall:
-/// strain rates are those towards the mean velocity of the material, and the force has the mean gradient of the stress.
-/// Then the stress acts across the wall only, and what slides past it is not strained, however stiff; at rest uniform
-/// stress is kept in its corners. Energy is kept with PlainStrain, the default, and ObjectiveStrain; CorrectedStrain
-/// takes the mirrored velocities of AdamiWalls. These walls are the default of Granular.
+/// Walls of dummy particles with the mean stress of the material in front of them, like AdamiWalls, that conserve the
+/// energy of the material. The force of a wall on i is $\sum_d V_d \langle\sigma\rangle_d \nabla W_{id}$. The work of
+/// this force is taken from the elastic energy if the velocity gradient at k contains $\sum_d V_d [(u_w(x_d) - u_k)
+/// \otimes \nabla W_{kd} + W_{kd} G_d]$ with $G_d = \sum_m V_m u'_m \otimes \nabla_d W_{dm}/\sum_m V_m W_{dm}$ in place
+/// of the difference from a mirrored velocity. This sum is exact for velocities that grow linearly with the distance
+/// from the wall. At walls with a `slip_normal`, shear along the wall is removed from both stress and strain. If
+/// material slides along such a wall, the strain rates follow from the velocity along the wall relative to the mean
+/// velocity of the material, and the force along the wall contains the mean gradient of the stress. The stress then
+/// acts only across the wall, and sliding material is not strained, however stiff it is; if the material is at rest, a
+/// uniform stress persists in corners between walls. Energy is conserved with PlainStrain, the default, and with
+/// ObjectiveStrain; CorrectedStrain uses the mirrored velocities of AdamiWalls. Granular uses ConservingWalls by
+/// default.
 struct ConservingWalls : ExtrapolatedWalls<adami::ExtrapolateStress> {
-  double sliding_speed = 0.01;  ///< m/s: from here on material slides along slip walls; below half of it, it is at rest
+  double sliding_speed = 0.01;  ///< m/s: sliding along slip walls from this speed on, rest below half of this speed
 
   static constexpr auto parameters() {
     return std::array{parameter("sliding_speed", &ConservingWalls::sliding_speed, "m/s",

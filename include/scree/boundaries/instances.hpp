@@ -5,7 +5,7 @@
 #include "../passes/over_lists.hpp"
 #include "adami.hpp"
 
-// The pair loops that the library scree::compiled has: those of AdamiWalls, apart and in one sweep.
+// The pair loops of AdamiWalls that are compiled in the library scree::compiled, separately and fused into one sweep.
 #ifdef SCREE_COMPILED_LOOPS
 namespace scree::detail {
 

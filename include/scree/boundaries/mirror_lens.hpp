@@ -8,16 +8,17 @@
 
 #include <tuple>
 
-// Walls without extrapolation, a cheaper alternative to adami.hpp: each particle of the material sees its own mirror
-// image in the wall. This needs no pass over the wall and no search from it, and stores nothing for the wall except its
-// motion.
+// Walls without extrapolation, a cheaper alternative to adami.hpp: each particle of the material reads its own mirror
+// image in the wall. Reflection needs no pass over the wall and no neighbour search from it, and stores nothing for the
+// wall except its motion.
 namespace scree {
 
-/// Material particle i sees wall particle j with the velocity $u_j = u_w(x_j) - (u_i - u_w(x_i)) = 2 u_w((x_i + x_j)/2)
-/// - u_i$, which is $\Omega \times x_j$ for rigid rotation, and the stress $\sigma_j = \sigma_i - \rho
-/// \operatorname{diag}((g - a_w) \cdot (x_j - x_i))$, which is exact for a bed in equilibrium. u_w is the wall's own
-/// velocity field, which is affine (gradient from the motion). At a slip wall (SlipNormal), both are mirror images.
-/// Unlike a mean over neighbours the reflection does not smooth, but it ignores a free surface above the wall.
+/// Lens through which material particle i reads wall particle j with the velocity $u_j = u_w(x_j) - (u_i - u_w(x_i)) =
+/// 2 u_w((x_i + x_j)/2) - u_i$, which is $\Omega \times x_j$ for rigid rotation. The stress is $\sigma_j = \sigma_i -
+/// \rho \operatorname{diag}((g - a_w) \cdot (x_j - x_i))$, which is exact for a bed in equilibrium. The velocity field
+/// u_w of the wall is affine, with the velocity gradient of the wall motion. At a slip wall (SlipNormal), velocity and
+/// stress are mirror images. Unlike a mean over neighbours, the reflection does not smooth, but it ignores a free
+/// surface above the wall.
 template <class Rho>
 struct MirrorLens {
   Rho rho;  ///< of the material
@@ -46,7 +47,7 @@ struct MirrorLens {
   }
 };
 
-/// Walls by reflection.
+/// Wall scheme by reflection, see MirrorLens.
 struct MirrorWalls {
   static constexpr bool shows_means = false;
   std::tuple<> velocity_passes() const { return {}; }

@@ -6,7 +6,8 @@
 
 namespace scree {
 
-/// 1 on wall particles of a plate, 0 on all others: `set_group<Wall>(solver, walls, "blade", on_plate, ...)`.
+/// Marker of plates: 1 for wall particles of a plate, 0 for all other wall particles. It is set by
+/// `set_group<Wall>(solver, walls, "blade", on_plate, ...)`.
 struct OnPlate : Scalar<"on plate", "1"> {
   static constexpr bool may_stay_zero = true;
 };

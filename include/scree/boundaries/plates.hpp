@@ -6,12 +6,12 @@
 #include "mirror_lens.hpp"
 #include "on_plate.hpp"
 
-// Thin walls with material on both sides, such as blades, baffles and gates. A wall particle of AdamiWalls shows one
-// stress, the mean of both sides; in a plate each particle of the material sees its own mirror image instead, so that
-// the other side does not affect it.
+// Thin walls with material on both sides, such as blades, baffles and gates. A wall particle of AdamiWalls has one
+// stress, the mean of both sides. In a plate each particle of the material reads its own mirror image instead, so that
+// the material on the other side does not affect it.
 namespace scree {
 
-/// Acts as MirrorLens on plates and as AdamiWalls elsewhere.
+/// Lens that acts like MirrorLens on plates and like the lens of AdamiWalls elsewhere.
 template <class Rho>
 struct PlateLens {
   MirrorLens<Rho> mirror;
@@ -41,10 +41,10 @@ struct PlateLens {
   }
 };
 
-/// AdamiWalls in which some wall particles are those of plates. A plate must be two spacings thick at least, and three
-/// if it turns: in a thinner one, grains on both sides are neighbours.
+/// AdamiWalls in which some wall particles belong to plates. A plate must be at least two spacings thick, and at least
+/// three if it rotates: across a thinner plate, particles on opposite sides are neighbours.
 struct PlateWalls : AdamiWalls {
-  /// The lens through which the material sees walls and plates.
+  /// Returns the lens through which the material reads walls and plates.
   template <class Rho>
   PlateLens<Rho> lens(Rho const& rho, Gravity const& gravity) const {
     return {{rho, gravity}};

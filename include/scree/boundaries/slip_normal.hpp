@@ -11,8 +11,8 @@
 namespace scree {
 namespace detail {
 
-/// Whether a plane through x (m, at time zero) with unit normal n has this normal at all times; tried at times up to
-/// some 1000 s.
+/// Returns whether a plane through x (m, at time zero) with unit normal n keeps this normal during the motion, which is
+/// sampled at times up to about 1000 s.
 template <class Motion, class X>
 bool keeps_normal(Motion const& motion, X const& x, X const& n) {
   for (double time = 1e-3; time < 1e3; time *= 1.7) {
@@ -30,12 +30,12 @@ bool keeps_normal(Motion const& motion, X const& x, X const& n) {
 
 }  // namespace detail
 
-/// Unit normal of a slip wall, zero where the material sticks. It is fixed in space.
+/// Unit normal of a slip wall, zero where the wall is no-slip. The normal is fixed in space.
 struct SlipNormal : Vector<"slip normal", "1"> {
   static constexpr bool may_stay_zero = true;
 
-  /// Throws std::invalid_argument if a value for a wall particle, which is at x (m) at time zero, is neither zero nor a
-  /// unit vector, or if the motion turns its plane. Solver::set() calls it.
+  /// Throws std::invalid_argument if the normal n of a wall particle, at x (m) at time zero, is neither zero nor a unit
+  /// vector, or if the motion rotates the plane of the wall. Solver::set() calls this function.
   template <class Motion, class X>
   static void check_on_wall(Motion const& motion, X const& x, X const& n) {
     double const length = norm(n);

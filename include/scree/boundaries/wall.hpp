@@ -15,22 +15,23 @@
 #include <tuple>
 #include <utility>
 
-// Functions that all schemes for walls of dummy particles share: they mirror the slip and extrapolate the stress behind
+// Functions shared by all schemes for walls of dummy particles: they mirror the slip and extrapolate the stress into
 // the wall.
 namespace scree {
 
-/// A scheme for walls of dummy particles, as a value:
-///   velocity_passes()             tuple of passes over the wall for the velocity that the material sees
-///   stress_passes(rho, gravity)   the same for the stress; rho is the density of the material, see terms/density.hpp
-///   lens(rho, gravity)            the lens through which the material sees the wall; it may provide both without
-///                                 passes
-///   strain_term()                 optional: a term over the wall as it is, without the lens, that adds to the velocity
-///                                 gradient of strain rates, in place of VelocityGradientSum
-///   force_term(rho)               optional: a term over the wall that adds to the acceleration, beside the divergence
-///                                 of the stress that the wall shows
-///   shows_means                   optional: whether a wall particle shows all material around it the same values, so
-///                                 that a wall between two beds must keep their means apart, and also the mean of an
-///                                 antisymmetric stress; see shows_means
+/// A scheme for walls of dummy particles is a struct with these members:
+///   velocity_passes()             tuple of passes over the wall that compute the wall velocity used by the material
+///   stress_passes(rho, gravity)   tuple of passes over the wall that compute the wall stress used by the material; rho
+///                                 is the density of the material, see terms/density.hpp
+///   lens(rho, gravity)            the lens through which the material reads the wall; it may provide velocity and
+///                                 stress without passes
+///   strain_term()                 optional: a term that adds the part of the wall to the velocity gradient of strain
+///                                 rates, in place of VelocityGradientSum; it reads the wall without the lens
+///   force_term(rho)               optional: a term over the wall that adds to the acceleration, in addition to the
+///                                 divergence of the wall stress
+///   shows_means                   optional: whether all material around a wall particle reads the same values from it.
+///                                 If so, a wall between two beds must keep their means apart, and the wall also has a
+///                                 mean antisymmetric stress; see shows_means
 template <class W>
 concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity const& gravity) {
   std::tuple_size<decltype(walls.velocity_passes())>::value;
@@ -38,21 +39,21 @@ concept WallScheme = requires(W const& walls, UniformDensity const& rho, Gravity
   walls.lens(rho, gravity);
 };
 
-/// A scheme with a term of its own in strain rates.
+/// Whether a wall scheme has its own term in strain rates.
 template <class W>
 concept HasStrainTerm = requires(W const& walls) {
   walls.strain_term();
 };
 
-/// A scheme with a term of its own in the acceleration, for a density rho.
+/// Whether a wall scheme has its own term in the acceleration, for a density rho.
 template <class W, class Rho>
 concept HasForceTerm = requires(W const& walls, Rho const& rho) {
   walls.force_term(rho);
 };
 
-/// Whether a wall particle of a scheme shows all material the same values: the declaration of the scheme if it has one,
-/// otherwise whether it computes something for wall particles. Without that each particle of the material sees values
-/// of its own, as behind a plate.
+/// Whether all material reads the same values from a wall particle of a scheme: the constant `shows_means` of the
+/// scheme if it has one, otherwise whether the scheme has passes that compute values for wall particles. If false, each
+/// particle of the material reads its own values from the wall, as from a plate.
 template <WallScheme W>
 inline constexpr bool shows_means = [] {
   if constexpr (requires { bool(W::shows_means); }) {
@@ -67,7 +68,8 @@ inline constexpr bool shows_means = [] {
 
 namespace detail {
 struct NoWalls {};
-/// The wall scheme of a physics model, its type `Walls` or that of its `mechanics`; NoWalls for models without one.
+/// The wall scheme of a physics model: its type `Walls`, or the type `Walls` of its `mechanics`; NoWalls for models
+/// without a wall scheme.
 template <class Physics>
 struct walls_of {
   using type = NoWalls;
@@ -85,7 +87,7 @@ requires(
 };
 }  // namespace detail
 
-/// A lens through which a wall also has the density of the particle that sees it.
+/// A lens that also gives a wall particle the density of the particle that reads it.
 template <class Lens>
 struct WithDensityOfTarget : Lens {
   static constexpr bool takes_packs = scree::takes_packs<Lens>;
@@ -103,8 +105,8 @@ struct WithDensityOfTarget : Lens {
 
 namespace walls {
 
-/// Velocity of a wall particle as seen by the material, which slips past the wall with u = `slip`: u_w - u, so that the
-/// slip vanishes half way; at a slip wall (unit normal n), $u_w + u - 2 n (n \cdot u)$.
+/// Returns the velocity of a wall particle for material that slips past the wall with u = `slip`: u_w - u, so that the
+/// slip vanishes halfway between them; at a slip wall (unit normal n), $u_w + u - 2 n (n \cdot u)$.
 template <class X>
 SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   using namespace math;
@@ -113,7 +115,7 @@ SCREE_FN X mirrored(X const& wall_velocity, X const& slip, X const& n) {
   return wall_velocity + sign * slip - 2 * dot(n, slip) * n;
 }
 
-/// $\sigma + s n^T + n s^T$: with a shear stress s on planes with the unit normal n.
+/// Returns $\sigma + s n^T + n s^T$: adds a shear stress s on planes with the unit normal n.
 template <class Packed, class X>
 SCREE_FN Packed with_shear(Packed sigma, X const& s, X const& n) {
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] += 2 * s[a] * n[a];
@@ -125,8 +127,8 @@ SCREE_FN Packed with_shear(Packed sigma, X const& s, X const& n) {
   return sigma;
 }
 
-/// Stress of a wall particle as seen by the material: that of the material; at a slip wall (unit normal n), its mirror
-/// image, so that the shear stress along the wall vanishes half way.
+/// Returns the stress of a wall particle for material with the stress sigma: sigma itself; at a slip wall (unit normal
+/// n), its mirror image, so that the shear stress along the wall vanishes halfway between them.
 template <class Packed, class X>
 SCREE_FN Packed reflected(Packed const& sigma, X const& n) {
   X const traction = product(sigma, n);
@@ -135,9 +137,9 @@ SCREE_FN Packed reflected(Packed const& sigma, X const& n) {
 }
 
 /// Returns the stress of one particle, extrapolated over `offset` (m) into a wall with the weight of the material:
-/// sigma_aa - f_a offset_a, f = rho (g - a_w). Zhu et al. (2024), eq. 4.3 with its sign corrected: downwards the stress
-/// becomes more compressive. The sum over a wall of sigma - (f offset^T) would be the same in any axes; its diagonal is
-/// nearly so.
+/// sigma_aa - f_a offset_a, f = rho (g - a_w). This is eq. 4.3 of Zhu et al. (2024) with its sign corrected, so that
+/// the stress becomes more compressive downwards. The sum over a wall of sigma - (f offset^T) would be independent of
+/// the axes; the sum with the diagonal alone is nearly so.
 template <class Packed, class X>
 SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
   for (int a = 0; a < X::RowsAtCompileTime; ++a) sigma[a] -= f[a] * offset[a];
@@ -145,13 +147,13 @@ SCREE_FN Packed continued(Packed sigma, X const& f, X const& offset) {
 }
 
 /// Returns a mean stress, extrapolated over the mean `offset` (m) into a wall with the weight of the material, f = rho
-/// (g - a_w). The direction n of the offset is that out of the material. Each normal stress changes by $-f \cdot r$
-/// with the offset r, and, where the wall `holds`, the shear stress on planes across n by -f_t |offset|, $f_t = f - (n
-/// \cdot f) n$, as in a layer that is the same all along the wall. In such a layer the ratio of shear stress to normal
-/// stress is f_t/f_n; where that of the material in front is less than two thirds of it, the shear stress grows in
-/// proportion less: the pressure carries the weight along a wall next to a bed at rest. On walls steeper than 45
-/// degrees (|f_t| > |f_n|), where no layer can rest, it does not grow. See docs/theory/granular.md, "The stress that a
-/// wall shows".
+/// (g - a_w). The direction n of the offset points out of the material. Each normal stress changes by $-f \cdot r$ with
+/// the offset r. If the wall `holds`, the shear stress on planes normal to n changes by -f_t |offset|, $f_t = f - (n
+/// \cdot f) n$, as in a layer that is uniform along the wall. In a uniform layer the ratio of shear stress to normal
+/// stress is f_t/f_n. If the ratio of the material in front of the wall is less than two thirds of f_t/f_n, the change
+/// of the shear stress is reduced in proportion, because the pressure carries the weight along a wall next to a bed at
+/// rest. On walls steeper than 45 degrees (|f_t| > |f_n|), where no layer can rest, the shear stress does not change.
+/// See docs/theory/granular.md, "The stress that a wall shows".
 template <class Packed, class X>
 SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool holds) {
   using Real = typename X::Scalar;
@@ -163,7 +165,7 @@ SCREE_FN Packed extrapolated(Packed sigma, X const& f, X const& offset, bool hol
     X const shear = traction - normal * n, along = f - across * n;
     Real const scale = squared_norm(along) * normal;
     if (scale < 0) {
-      Real const ratio = dot(along, shear) * across / scale;  // of the material, over that of a layer
+      Real const ratio = dot(along, shear) * across / scale;  // of the material over that of a uniform layer
       Real const steep = squared_norm(along) / (across * across);
       Real const share = within(4 - 4 * steep) * within(Real(1.5) * ratio);
       sigma = with_shear<Packed, X>(sigma, -share * norm(offset) * along, n);

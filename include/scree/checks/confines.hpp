@@ -31,7 +31,7 @@ struct DistanceBeyond {
 };
 
 namespace detail {
-/// Extends a box to a point. Element by element it compiles faster.
+/// Extends a box to a point. The element-wise code compiles faster.
 template <class X>
 void extend(X& low, X& high, X const& x) {
   for (int axis = 0; axis < X::RowsAtCompileTime; ++axis) {
@@ -39,7 +39,7 @@ void extend(X& low, X& high, X const& x) {
     high[axis] = std::max(high[axis], x[axis]);
   }
 }
-/// Two corners of the box around some points; none without points.
+/// Returns the low and the high corner of the box around some points; nothing if there are no points.
 template <class X>
 [[gnu::cold]] std::vector<X> corners_of(std::vector<X> const& points) {
   if (points.empty()) return {};
@@ -49,28 +49,29 @@ template <class X>
 }
 }  // namespace detail
 
-/// Material outside this box is lost: the box around the walls, at their initial and present positions, and around the
+/// The box outside of which material is lost. It contains the walls, at their initial and present positions, and the
 /// positions given to the material. It is open above (the last coordinate), where grains may fly, and along periods.
-/// Without walls nothing is lost. `Count`: the number of bodies; walls may belong to any of them.
+/// Without walls nothing is lost. `Count` is the number of bodies; walls may belong to any of them.
 template <class P, std::size_t Count>
 class Confines {
  public:
   using vector = Vec<P::dim, typename P::real>;
 
-  /// A domain with these periods, to which walls and material are added.
+  /// Makes a domain with these periods, to which walls and material are then added.
   explicit Confines(std::vector<Period> const& periods) : periods_(periods) {}
   /// Extends the box of the material to points, m.
   void add_material(std::vector<vector> const& points) { material_.add(points); }
-  /// Two corners of the box around the positions given to the material, which must not be empty.
+  /// Returns the low and the high corner of the box around the positions given to the material, which must not be
+  /// empty.
   std::vector<vector> material() const { return {material_.low, material_.high}; }
-  /// Walls of a body at time zero, in parts that move alike.
+  /// Adds the walls of a body at time zero, in parts each of which moves as a whole.
   void add_wall(std::size_t body, std::vector<std::vector<vector>> const& parts) {
     auto& walls = walls_[body];
     walls.resize(std::max(walls.size(), parts.size()));
     for (std::size_t k = 0; k < parts.size(); ++k) walls[k].add(parts[k]);
   }
 
-  /// The box at a time (s), with the motion of each body.
+  /// Returns the box at a time (s), given the motion of each body.
   template <class... Motions>
   [[gnu::cold]] DistanceBeyond<vector> at(double time, Motions const&... motions) const {
     static_assert(sizeof...(Motions) == Count);
@@ -85,8 +86,8 @@ class Confines {
     for (Period const& period : periods_) all.low[period.axis] = -infinity, all.high[period.axis] = infinity;
     return {all.low, all.high};
   }
-  /// The largest coordinate, in magnitude, of walls at time zero and at a time (s) and of the positions given to the
-  /// material; m.
+  /// Returns the largest magnitude of a coordinate, m, among walls at time zero, walls at a time (s), and the positions
+  /// given to the material.
   template <class... Motions>
   [[gnu::cold]] double farthest(double time, Motions const&... motions) const {
     Hull all;

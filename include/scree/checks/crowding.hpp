@@ -14,21 +14,21 @@ namespace scree::detail {
 /// The packing around one particle of the material.
 struct Crowding {
   double density = 0;         ///< sum V W; 1 on a lattice
-  double by_number = 0;       ///< the same sum with the volume spacing^dim in place of V
-  double walls = 0;           ///< sum V W over walls, over what the material leaves of 1 to them
+  double by_number = 0;       ///< sum V W with the volume spacing^dim in place of V
+  double walls = 0;           ///< sum V W over walls, relative to the part of 1 that the material leaves empty
   bool judges_walls = false;  ///< whether walls fill all sides without material
   bool faces_walls = false;   ///< whether walls are on the side that the material leaves empty, however sparse they are
   double volume = 1;          ///< V over spacing^dim
   bool is_full = false;       ///< whether particles are on all sides
-  double nearest = Kokkos::Experimental::infinity_v<double>;  ///< distance of its nearest neighbour, m
+  double nearest = Kokkos::Experimental::infinity_v<double>;  ///< distance of the nearest neighbour, m
   std::size_t neighbour = 0;
 
   static constexpr double most_density = 1.6;
   static constexpr double least_of_walls = 0.6;
-  /// Whether walls on its empty side have less than 0.6 of the volume that belongs there.
+  /// Whether walls on the empty side of the particle have less than 0.6 of the volume that fills this side.
   SCREE_FN bool faces_too_little() const { return faces_walls && walls < least_of_walls; }
-  /// Whether a start is refused because of it: a neighbour is less than a tenth of a spacing away, or the density is
-  /// above a bound, 1.6.
+  /// Whether a start is refused because of this particle: its nearest neighbour is less than a tenth of a spacing away,
+  /// or its density is above a bound, by default 1.6.
   SCREE_FN bool is_wrong(double spacing, double bound = most_density) const {
     return nearest < 0.1 * spacing || density > bound;
   }
@@ -37,23 +37,23 @@ struct Crowding {
 /// The arrangement of neighbours around a particle, without regard to their volumes.
 class Surroundings {
  public:
-  /// Adds a neighbour in this direction and distance (m), with a weight that falls with the distance.
+  /// Adds a neighbour at the vector (x, y, z) and the distance r, m, with a weight that decreases with the distance.
   SCREE_FN void add(double x, double y, double z, double r, double weight) {
     x_ += weight * x, y_ += weight * y, z_ += weight * z, length_ += weight * r;
     xx_ += x * x, yy_ += y * y, zz_ += z * z, xy_ += x * y, xz_ += x * z, yz_ += y * z;
     count_ += 1;
   }
-  /// Adds the neighbours of another object, `times` times each.
+  /// Adds the neighbours of another object, multiplied by `times`.
   SCREE_FN void add(Surroundings const& others, double times) {
     x_ += times * others.x_, y_ += times * others.y_, z_ += times * others.z_, length_ += times * others.length_;
     xx_ += times * others.xx_, yy_ += times * others.yy_, zz_ += times * others.zz_;
     xy_ += times * others.xy_, xz_ += times * others.xz_, yz_ += times * others.yz_;
     count_ += times * others.count_;
   }
-  /// Whether they are on all sides: the weighted mean of the distance vectors is shorter than 0.1 times that of the
-  /// distances, and the mean of the squared distances along each direction is above half of that of a filled support
-  /// (m). In a row at a surface the first is 0.3 or more, in the next row below 0.1; in the middle of three free rows
-  /// the second stays below.
+  /// Whether neighbours are on all sides: the weighted mean of their distance vectors is shorter than 0.1 times the
+  /// weighted mean of their distances, and along every direction the mean of the squared distances is above half of its
+  /// value in a filled support (m). In a row at a surface the first ratio is 0.3 or more, and in the next row it is
+  /// below 0.1; in the middle one of three rows with free surfaces, the second ratio is below one half.
   SCREE_FN bool on_all_sides(int dimensions, double support) const {
     if (!(x_ * x_ + y_ * y_ + z_ * z_ < 0.1 * 0.1 * length_ * length_)) return false;
     double const bar = 0.5 * (count_ + 1) * support * support / (dimensions + 2);
@@ -62,7 +62,8 @@ class Surroundings {
     return dimensions == 2 || c * minor + 2 * xy_ * xz_ * yz_ - a * yz_ * yz_ - b * xz_ * xz_ > 0;
   }
 
-  /// Whether their weighted mean is opposite to that of others, to 48 degrees: no angle of a lattice.
+  /// Whether the weighted mean of the neighbours is within 48 degrees of the direction opposite to that of others; no
+  /// angle in a lattice has this value.
   SCREE_FN bool is_opposite(Surroundings const& others) const {
     double const along = x_ * others.x_ + y_ * others.y_ + z_ * others.z_;
     double const squared = x_ * x_ + y_ * y_ + z_ * z_;
@@ -89,16 +90,16 @@ struct PackingKernel {
   SCREE_FN double support() const { return 2 * h; }
   /// Whether a squared distance (m^2) is within the support.
   SCREE_FN bool reaches(double squared) const { return squared < 4 * h * h; }
-  /// The value at a distance (m) within the support, over that at zero.
+  /// Returns the value at a distance (m) within the support, relative to that at zero.
   SCREE_FN double shape(double r) const {
     double const left = 1 - r / (2 * h);
     return (left * left) * (left * left) * (1 + 2 * r / h);
   }
-  /// r^dim.
+  /// Returns r^dim.
   SCREE_FN double volume(double r) const { return dimensions == 2 ? r * r : r * r * r; }
 };
 
-/// Adds up the packing around one particle.
+/// A sum over neighbours that gives the packing around one particle.
 class CrowdingSum {
  public:
   /// Starts the sum with the particle itself and its volume (m^dim).
@@ -106,7 +107,7 @@ class CrowdingSum {
     found_.density = volume * kernel.at_zero, found_.by_number = kernel.of_spacing;
     found_.volume = found_.density / kernel.of_spacing;
   }
-  /// Adds another particle in this direction (m), at a squared distance that the kernel reaches.
+  /// Adds a neighbour at the vector (x, y, z), m, whose squared distance the kernel reaches.
   SCREE_FN void add(double x, double y, double z, double squared, double volume, bool is_wall, std::size_t number) {
     double const r = Kokkos::sqrt(squared), shape = kernel_.shape(r);
     double const filled = volume * kernel_.at_zero * shape, by_number = kernel_.of_spacing * shape;
@@ -119,7 +120,7 @@ class CrowdingSum {
     }
     if (squared < least_) least_ = squared, found_.neighbour = number;
   }
-  /// Whether the density is so high already that a start is refused.
+  /// Whether the density is already so high that a start is refused.
   SCREE_FN bool is_too_dense() const { return found_.density > Crowding::most_density; }
   SCREE_FN Crowding result() const {
     Crowding found = found_;

@@ -13,10 +13,12 @@
 #include <cstdint>
 #include <vector>
 
-// Which particles are near some points of the host, found where the particles are: only those need to be copied.
+// The search for particles that are near some points of the host. It runs where the particles are, so that only those
+// found need to be copied.
 namespace scree::detail {
 
-/// Whether a particle may be within the width of a cell of one of the points: true for all that are, and for some more.
+/// Whether a particle may be within the width of a cell of one of the points: true for all particles within it and for
+/// some others.
 struct MaybeNear {
   using reads = Fields<Position>;
   Span<std::uint32_t const> marks;  // a bit for each value of the hash of a cell
@@ -27,7 +29,7 @@ struct MaybeNear {
                                 std::uint64_t(z) * 0x165667B19E3779F9u;
     return mixed ^ mixed >> 29;
   }
-  /// PointsInCells::cell_of() of one coordinate.
+  /// Returns PointsInCells::cell_of() for one coordinate.
   SCREE_FN static std::int64_t index_of(double x, double width) {
     double const place = x / width, far = 1e15;
     return std::int64_t(Kokkos::floor(place > -far ? Kokkos::min(place, far) : -far));
@@ -42,11 +44,11 @@ struct MaybeNear {
   }
 };
 
-/// The marks of the cells around points.
+/// Returns the marks of the cells around points.
 [[gnu::cold]] std::vector<std::uint32_t> marks_around(std::vector<PointsInCells::Point> const& points, double width);
 
-/// The numbers of the owned particles of a body that may be within a width (m) of some points: all that are, and some
-/// more.
+/// Returns the numbers of the owned particles of a body that may be within a width (m) of some points. All that are
+/// within it are included, and some others.
 template <class P>
 [[gnu::cold]] Array<P, int const> those_near(std::vector<PointsInCells::Point> const& points, double width,
                                              AnyParticles<P> const& body) {

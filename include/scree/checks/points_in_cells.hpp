@@ -9,24 +9,24 @@
 #include <limits>
 #include <vector>
 
-// Points on the host in the cells of a grid, for checks of positions.
+// Points on the host, sorted by the cells of a grid, for checks of positions.
 namespace scree::detail {
 
-/// Indices of a cell of a grid.
+/// The indices of a cell of a grid.
 using CellIndex = std::array<std::int64_t, 3>;
-/// Whether two cells are the same one; == of arrays calls a function that compares bytes.
+/// Whether two cells are the same; the operator == of arrays would call a function that compares bytes.
 inline bool is_same(CellIndex const& a, CellIndex const& b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
-/// Numbers of cells of a grid, in the order in which they were added; a hash finds them.
+/// The cells of a grid, numbered in the order in which they were added, and found by a hash.
 class CellNumbers {
  public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   CellNumbers() : slots_(64, 0) {}
   std::size_t size() const { return cells_.size(); }
-  /// The number of a cell, which is added if it is new.
+  /// Returns the number of a cell, which is added if it is new.
   std::size_t add(CellIndex const& cell);
-  /// The number of a cell, or `none`.
+  /// Returns the number of a cell; `none` if it was not added.
   std::size_t find(CellIndex const& cell) const { return slots_[place_of(cell)] - 1; }
 
  private:
@@ -37,7 +37,7 @@ class CellNumbers {
   std::vector<std::size_t> slots_;  // the number of a cell + 1, or 0
 };
 
-/// Points sorted by cells. The points of a cell have ascending numbers.
+/// Points sorted by cells. Within a cell, they are in ascending order of their numbers.
 class PointsInCells {
  public:
   using Point = std::array<double, 3>;
@@ -56,24 +56,25 @@ class PointsInCells {
     double squared_distance(Point const& x) const;
   };
 
-  /// The points numbered from `first` to `last`, or those of them that are in some cells.
+  /// Sorts the points numbered from `first` up to, but not including, `last`; only those in the cells `some`, if given.
   PointsInCells(std::vector<Point> const& points, std::size_t first, std::size_t last, double width,
                 CellNumbers const* some = nullptr);
 
-  /// Positions that are not finite, or too far away for an index, count as very far.
+  /// Returns the cell of a point, m. Positions that are not finite, or too far away for an index, are treated as very
+  /// far.
   static CellIndex cell_of(Point const& x, double width);
   static double squared_distance(Point const& a, Point const& b) {
     double const x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return x * x + y * y + z * z;
   }
-  /// The number of cells with points.
+  /// Returns the number of cells with points.
   std::size_t size() const { return cells_.size(); }
   Numbered const* begin(std::size_t cell) const { return sorted_.data() + starts_[cell]; }
   Numbered const* end(std::size_t cell) const { return sorted_.data() + starts_[cell + 1]; }
   Hull hull_of(std::size_t cell) const;
-  /// Adds each point, displaced by `shift`, that is nearer to a box than `reach`.
+  /// Adds to `found` each point, displaced by `shift` (m), that is nearer to a box than `reach` (m).
   void add_near(Hull const& box, double reach, Point const& shift, std::vector<Numbered>& found) const;
-  /// All cells that are nearer than `reach` to points of this.
+  /// Returns all cells that are nearer than `reach` (m) to one of the points, and perhaps others.
   CellNumbers cells_near(double reach) const;
 
  private:

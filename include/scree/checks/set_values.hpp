@@ -15,7 +15,7 @@
 // Checks of values that are given to particles.
 namespace scree::detail {
 
-/// Throws std::invalid_argument unless all volumes (m^dim) are above 0 and finite; `of` are the particles.
+/// Throws std::invalid_argument unless all volumes (m^dim) are above 0 and finite; `of` names the particles.
 template <class Real>
 [[gnu::cold]] void check_volumes(std::vector<Real> const& volumes, std::string const& of) {
   for (std::size_t k = 0; k < volumes.size(); ++k)
@@ -24,7 +24,7 @@ template <class Real>
                   "above 0 and finite");
 }
 
-/// Throws std::invalid_argument unless these identities are different numbers, 0 or more.
+/// Throws std::invalid_argument unless all identities differ and are 0 or more; `of` names the particles.
 [[gnu::cold]] inline void check_identities(std::vector<int> numbers, std::string const& of) {
   std::sort(numbers.begin(), numbers.end());
   if (!numbers.empty())

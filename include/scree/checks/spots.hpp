@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-// Particles of all bodies in the memory of an execution space, and the search for those near a point, for checks of
+// Particles of all bodies in the memory of an execution space, and a search for particles near a point, for checks of
 // positions.
 namespace scree::detail {
 
@@ -39,7 +39,7 @@ struct CopyToSpots {
   }
 };
 
-/// The material first, `owned` particles, then walls.
+/// The particles of all bodies: first those of the material, `owned` of them, then those of walls.
 template <class Space>
 struct Spots {
   ArrayIn<Spot, Space> all;
@@ -47,7 +47,7 @@ struct Spots {
 
   explicit Spots(Space const& space, int count) : all(space, "scree::spots", std::size_t(count)) {}
   Space const& space() const { return all.space(); }
-  /// Copies the owned particles of a body; the first of them gets this number.
+  /// Copies the owned particles of a body to the places from `first` on.
   template <class Body>
   void copy(Body const& body, int first) const {
     using P = typename Body::policy;
@@ -56,7 +56,7 @@ struct Spots {
   }
 };
 
-/// The box around some spots; coordinates that are not finite do not count.
+/// The box around some spots; coordinates that are not a number are ignored.
 struct BoxAroundSpots {
   struct value_type {
     double low[3], high[3];
@@ -81,7 +81,7 @@ struct BoxAroundSpots {
   }
 };
 
-/// The cells of PointsInCells. A hash puts each of them into one of some buckets; one bucket may hold several cells.
+/// The cells of PointsInCells, distributed over buckets by a hash; a bucket may hold several cells.
 struct Buckets {
   double width;  // edge of a cell, m
   int dimensions;
@@ -99,7 +99,7 @@ struct Buckets {
   SCREE_FN int bucket_of(Cell const& cell) const {
     return int(MaybeNear::hash(cell.at[0], cell.at[1], cell.at[2]) & mask);
   }
-  /// Visits the buckets of the cells around a point, each once.
+  /// Calls visit(bucket) for the buckets of the cells around a point, once for each bucket.
   template <class Visit>
   SCREE_FN void for_each_around(double const* x, Visit const& visit) const {
     Cell const centre = cell_of(x);
@@ -116,7 +116,7 @@ struct Buckets {
   }
 };
 
-/// Spots in the order of their buckets; those of a bucket have ascending numbers.
+/// Spots in the order of their buckets; within a bucket, they are in ascending order of their numbers.
 struct SpotsView {
   Buckets buckets;
   Span<int const> start, numbers;
@@ -126,8 +126,9 @@ struct SpotsView {
   int axis_of[3];
   double length_of[3];  // of periods, m
 
-  /// Calls f(number, spot, x, y, z, squared) with the vector (m) from each spot to a place, and its square, if this is
-  /// below that of the width of a cell, for all periodic images, until it returns false.
+  /// Calls f(number, spot, x, y, z, squared) for each spot, including periodic images, that is nearer to a place than
+  /// the width of a cell, until f returns false. (x, y, z) is the vector (m) from the spot to the place, `squared` its
+  /// square.
   template <class F>
   SCREE_FN void for_each_near(double const* place, F const& f) const {
     bool goes_on = true;
@@ -150,12 +151,12 @@ struct SpotsView {
       });
     }
   }
-  /// The vector (m) from particles to their image.
+  /// Finds the vector (m) from particles to one of their periodic images.
   SCREE_FN void find_shift(int image, double* shift) const {
     for (int period = 0; image > 0; ++period, image /= 3)
       shift[axis_of[period]] = (image % 3 == 2 ? -1 : image % 3) * length_of[period];
   }
-  /// The lowest number of the particles in the cell of a point.
+  /// Returns the lowest number of a particle in the cell of a point.
   SCREE_FN int first_of_cell(double const* place) const {
     auto const cell = buckets.cell_of(place);
     int const bucket = buckets.bucket_of(cell);
@@ -183,7 +184,7 @@ struct FillBuckets {
     numbers(start(bucket) + Kokkos::atomic_fetch_add(&filled(bucket), 1)) = i;
   }
 };
-/// Copies the spots with some numbers, in their order.
+/// Copies the spots with the given numbers, in the order of the list of numbers.
 struct PickSpots {
   Span<Spot const> spots;
   Span<int const> numbers;
@@ -191,12 +192,12 @@ struct PickSpots {
   SCREE_FN void operator()(int k) const { picked(k) = spots(numbers(k)); }
 };
 
-/// Spots in buckets.
+/// Spots sorted by buckets.
 template <class Space>
 class SpotsInCells {
  public:
-  /// The most particles of a bucket: some cells that are twice as dense as a lattice of their spacing allows. If there
-  /// were more, for instance because most particles are in one place, the search would take too long.
+  /// The largest number of particles in a bucket: that of some cells that are twice as dense as a lattice of their
+  /// spacing allows. With more, for instance if most particles are in one place, the search would take too long.
   static constexpr int most_in_bucket = 512;
 
   SpotsInCells(Spots<Space> const& spots, double width, int dimensions, std::vector<Period> const& periods) {
@@ -224,11 +225,11 @@ class SpotsInCells {
       view_.images *= 3;
     }
   }
-  /// Whether no bucket has too many particles; there is no view otherwise.
+  /// Whether no bucket has too many particles; otherwise there is no view.
   bool is_complete() const { return is_complete_; }
-  /// Valid as long as this.
+  /// Returns the view of the spots, which is valid as long as this object.
   SpotsView const& view() const { return view_; }
-  /// Bytes for each particle.
+  /// The memory for each particle, bytes.
   static constexpr double bytes = sizeof(Spot) + 3 * sizeof(int);
 
  private:

@@ -17,8 +17,8 @@ namespace scree {
 
 namespace detail {
 
-/// look(portion) for each portion in [0, portions), on the threads of the host. After the first one for which it
-/// returns false some are skipped, none before it.
+/// Calls look(portion) for each portion in [0, portions), on the threads of the host. If a call returns false, some
+/// later portions are skipped, but no earlier ones.
 template <class Look>
 void visit_in_order(long portions, Look const& look) {
   std::atomic<long> last = portions;
@@ -28,7 +28,7 @@ void visit_in_order(long portions, Look const& look) {
   });
 }
 
-/// Evaluates the packing around particles, including periodic images.
+/// An evaluation of the packing around particles, including their periodic images.
 class StartLook {
  public:
   StartLook(PlacedParticles const& all, std::size_t first_wall, double spacing, int dimensions,
@@ -38,9 +38,10 @@ class StartLook {
         kernel_(spacing, dimensions),
         cells_(all.places, 0, all.places.size(), kernel_.support()),
         periods_(periods) {}
-  /// The number of cells with particles.
+  /// Returns the number of cells with particles.
   std::size_t cells() const { return cells_.size(); }
-  /// visit(i, crowding) for those among the first `owned` particles that are in some cells, until it returns false.
+  /// Calls visit(i, crowding) for those of the first `owned` particles that are in some cells, until a call returns
+  /// false.
   void visit_cells(std::size_t from, std::size_t to, std::size_t owned,
                    std::function<bool(std::size_t, Crowding const&)> const& visit) const {
     std::vector<PointsInCells::Numbered> around;
@@ -53,8 +54,8 @@ class StartLook {
     }
   }
   Crowding operator()(std::size_t i) const { return crowding({all_.places[i], i}, around(i)); }
-  /// The volume of a particle of a wall over the dim-th power of the distance of the nearest other one, at most the
-  /// support.
+  /// Returns the volume of a wall particle over the dim-th power of the distance to the nearest other one, which is
+  /// taken to be at most the support.
   double fill_of_wall(std::size_t i) const { return all_.volumes[i] / kernel_.volume(std::sqrt(nearest_of_walls(i))); }
 
  private:
@@ -91,7 +92,7 @@ class StartLook {
     CrowdingSum sum(kernel_, all_.volumes[i.number]);
     for (auto const& j : around) {
       double const x = i.x[0] - j.x[0], y = i.x[1] - j.x[1], z = i.x[2] - j.x[2], squared = x * x + y * y + z * z;
-      if (!kernel_.reaches(squared) || (j.number == i.number && squared == 0)) continue;  // not its own images
+      if (!kernel_.reaches(squared) || (j.number == i.number && squared == 0)) continue;  // itself, not its images
       sum.add(x, y, z, squared, all_.volumes[j.number], j.number >= first_wall_, j.number);
     }
     return sum.result();

@@ -13,14 +13,14 @@
 // The faults that check_start() refuses, and their messages.
 namespace scree {
 
-/// The names of particles in messages of check_start(), and the cases that it allows.
+/// Words for the messages of check_start(), and the cases that it allows.
 struct StartWords {
   char const* when = "at the start";
   char const* of_others = " of the wall";
   bool may_be_sparse = false;  ///< whether particles may be without neighbours
-  bool judges_packing = true;  ///< whether spacing and volumes are compared with the distances, see Packing
+  bool judges_packing = true;  ///< whether spacing and volumes are compared with distances of particles, see Packing
   char const* remedy = "if this is meant, set `start_checks = false`";  ///< the end of each message
-  double most_density = detail::Crowding::most_density;                 ///< of particles in a material and walls
+  double most_density = detail::Crowding::most_density;                 ///< largest density of material and walls
 };
 
 namespace detail {
@@ -31,20 +31,21 @@ struct NamedParticle {
   std::array<double, 3> x;  // m
 };
 
-/// Each function throws std::invalid_argument if it refuses a start.
+/// The faults for which check_start() refuses a start. Functions that refuse a start throw std::invalid_argument.
 struct StartFaults {
   double spacing;  // m
   int dimensions;
   StartWords words = {};
 
-  /// Refuses a particle for which Crowding::is_wrong() holds. It has a nearest neighbour.
+  /// Refuses a start because of a particle for which Crowding::is_wrong() is true. `neighbour` is its nearest
+  /// neighbour, if it has one.
   [[noreturn, gnu::cold]] void refuse(NamedParticle const& i, Crowding const& at, std::size_t neighbour,
                                       bool is_of_wall) const;
-  /// Whether check_start() refuses this number of particles without a neighbour within 1.5 spacings.
+  /// Whether check_start() refuses a start in which this number of particles have no neighbour within 1.5 spacings.
   bool refuses_alone(long alone, long particles) const {
     return !words.may_be_sparse && particles >= 30 && 2 * alone > particles;
   }
-  /// Refuses a start with too many particles without neighbours, and names one of them.
+  /// Refuses a start in which too many particles have no neighbours, and names one of these particles.
   [[noreturn, gnu::cold]] void refuse_alone(NamedParticle const& i, long alone, long particles) const;
   /// Whether check_start() checks the packing.
   bool judges_packing() const { return !words.may_be_sparse && words.judges_packing; }

@@ -12,13 +12,14 @@
 #include <cstdint>
 #include <vector>
 
-// check_start() and packing_of() on the execution space that has the particles.
+// The checks of check_start() and packing_of() in the execution space that has the particles.
 namespace scree::detail {
 
-/// The packing around all particles of the material, in arrays. A value that does not belong to a median is infinite.
+/// A reduction that writes the packing around all particles of the material to arrays. Values that do not belong to a
+/// median are infinite.
 struct LookAtSpots {
   struct value_type {
-    std::int64_t wrong;                // of a particle with a fault: the first of its cell * 2^32 + its number
+    std::int64_t wrong;                // of a particle with a fault: lowest number in its cell * 2^32 + its own number
     int looked_at, alone, last_alone;  // `alone`: those without a neighbour within 1.5 spacings
     int full, at_walls, facing, facing_little;
   };
@@ -65,7 +66,7 @@ struct LookAtSpots {
   SCREE_FN Crowding crowding(int i, Spot const& here) const {
     CrowdingSum sum(kernel, here.volume);
     cells.for_each_near(here.x, [&](int j, Spot const& spot, double x, double y, double z, double squared) {
-      if (j == i && squared == 0) return true;  // not its own images
+      if (j == i && squared == 0) return true;  // itself, not its images
       sum.add(x, y, z, squared, spot.volume, j >= first_wall, std::size_t(j));
       return !(stops_at_faults && sum.is_too_dense());
     });
@@ -73,7 +74,7 @@ struct LookAtSpots {
   }
 };
 
-/// StartLook::fill_of_wall() of some particles of walls.
+/// Computes StartLook::fill_of_wall() for some particles of walls.
 struct FillsOfWalls {
   SpotsView cells;
   PackingKernel kernel;
@@ -92,7 +93,8 @@ struct FillsOfWalls {
   }
 };
 
-/// Writes the numbers of the spots that are in the cells around a point, or whose images are, in ascending order.
+/// Writes, in ascending order, the numbers of the spots that are within 1.01 cell widths of a point along each axis, or
+/// have a periodic image there.
 struct NumbersNear {
   SpotsView cells;
   Span<Spot const> spots;
@@ -118,7 +120,7 @@ struct NumbersNear {
   }
 };
 
-/// Counts the values that are at most a bar.
+/// Counts the values that are at most `bar`.
 struct CountUpTo {
   using value_type = int;
   Span<double const> values;
@@ -147,21 +149,22 @@ struct ExtentAlong {
   }
 };
 
-/// Checks of the positions of spots. check_start() and packing_of() give the same results, but for the rounding of
-/// sums, and a refusal has the same words.
+/// Checks of the positions of spots. The results are those of check_start() and packing_of() on the host, apart from
+/// the rounding of sums, and a refusal has the same message.
 template <class Space>
 class StartIn {
  public:
-  /// The spots must outlive this.
+  /// Sorts the spots, which must outlive this object.
   StartIn(Spots<Space> const& spots, double spacing, int dimensions, std::vector<Period> const& periods)
       : spots_(spots),
         spacing_(spacing),
         kernel_(spacing, dimensions),
         periods_(periods),
         cells_(spots, kernel_.support(), dimensions, periods) {}
-  /// Whether the device can check the particles: no bucket has too many of them. Otherwise the host looks.
+  /// Whether the device can check the particles, because no bucket has too many of them. Otherwise the host must check
+  /// them.
   bool can_look() const { return cells_.is_complete(); }
-  /// Bytes for each particle.
+  /// The memory for each particle, bytes.
   static constexpr double bytes = sizeof(Spot) + SpotsInCells<Space>::bytes + 5 * sizeof(double);
 
   void check_start(StartWords const& words = {}) {
@@ -175,9 +178,9 @@ class StartIn {
     if (found.at_walls + found.facing > 0) packing.fill_of_walls = median_fill_of_walls();
     faults.check(packing);
   }
-  /// The medians over the material, or over those of it with a nonzero entry.
+  /// Returns the medians over the material, or over its particles with a nonzero entry in `counted`.
   Packing packing(ArrayIn<char, Space> const& counted = {}) { return medians(look(spots_.all.size(), false, counted)); }
-  /// The extent of the material along a direction, m; 0 without a direction.
+  /// Returns the extent of the material along a direction, m; 0 if the direction is a zero vector.
   double extent_along(std::array<double, 3> const& direction) const {
     auto const found = reduce(space(), "scree::extent", spots_.owned,
                               ExtentAlong{spots_.all, direction[0], direction[1], direction[2]});

@@ -15,88 +15,78 @@
 #include <type_traits>
 #include <vector>
 
-// Finds walls that are too thin for the support of the kernel. It runs on the host and does not depend on the
+// The search for walls that are too thin for the support of the kernel. It runs on the host and does not depend on the
 // formulation.
 namespace scree {
 
-/// The particles of the material, `owned` of them, then those of walls, which of the latter belong to plates and which
-/// of these turn; of all ranks of the case, or those near one of them.
+/// The particles of the material, `owned` of them, followed by those of walls, and flags for wall particles that belong
+/// to plates or turn. The particles are those of the whole case, or those that are here and near these.
 struct ParticlesAtWalls {
   PlacedParticles all;
   std::size_t owned = 0;
   std::vector<char> is_plate;
   std::vector<char> turns;                                          ///< empty: none
-  double support = detail::WallView::usual_support;                 ///< of the kernel, spacings
-  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later particles of walls belong to other ranks
+  double support = detail::WallView::usual_support;                 ///< support of the kernel, spacings
+  std::size_t looked_at = std::numeric_limits<std::size_t>::max();  ///< later wall particles are not here
 
-  /// Inserts the particles of the material before those of walls. They need names if the particles of walls have names.
-  /// Call it once.
+  /// Inserts the particles of the material before those of walls. The material must have `numbers` if the walls have
+  /// them. To be called once.
   [[gnu::cold]] void put_material(PlacedParticles const& material);
-  /// Adds the particles of a wall, of a scheme that shows means of the material except on plates
-  /// (boundaries/plates.hpp) or that makes all walls like plates; and which of them turn, unless that is empty.
+  /// Adds the particles of a wall. `shows_means`: whether the boundary scheme gives walls means of the material, except
+  /// on plates (boundaries/plates.hpp); otherwise all walls are treated as plates. `turning` has a nonzero entry for
+  /// each particle that turns; empty: none.
   template <class... Of>
   [[gnu::cold]] void add_wall(WholeBody<Of...> const& body, bool shows_means, std::vector<char> const& turning = {}) {
-    all.add(body.untyped());
+    all.add_part(body);
     if constexpr (OneOf<OnPlate, typename WholeBody<Of...>::particles::fields>)
-      add_plates(body.values(OnPlate{}), shows_means);
+      add_plates(body.all_here() ? body.values(OnPlate{}) : body.here().to_host(OnPlate{}), shows_means);
     is_plate.resize(all.places.size() - owned, !shows_means);
     if (!turning.empty())
-      for (char const each : body.order().of(turning)) turns.push_back(each != 0);
-    turns.resize(is_plate.size(), false);
-  }
-  /// Adds the particles of a wall as add_wall() does, for one rank of a case: its own particles first, then those of
-  /// other ranks that are near. All ranks call it together.
-  template <class Body, class Sys>
-  [[gnu::cold]] void add_wall_here(Sys const& system, bool shows_means, std::vector<char> const& turning = {}) {
-    auto const& body = system.template body<Body>();
-    add_wall_particles<typename std::remove_cvref_t<decltype(body)>::fields>(body, shows_means);
-    turns.insert(turns.end(), turning.begin(), turning.end());
+      for (char const each : body.all_here() ? body.order().of(turning) : turning) turns.push_back(each != 0);
     turns.resize(is_plate.size(), false);
     looked_at = is_plate.size();
   }
-  /// Adds the particles of a body of walls that are within `reach` (m) of the material. `shows_means`: whether they
-  /// show all material the same values.
+  /// Adds copies of wall particles that are elsewhere and within `reach` (m) of the box around the particles here. Call
+  /// this after add_wall() of all walls. `shows_means` is as in add_wall().
   template <class Body, class Sys>
   [[gnu::cold]] void add_wall_near(Sys const& system, double reach, bool shows_means) {
     using Given = typename std::remove_cvref_t<decltype(system.template body<Body>())>::fields;
     using Wanted = Merge<Fields<Position, Volume, Identity>, Common<Fields<OnPlate>, Given>>;
-    add_wall_particles<Given>(system.template copies_near<Body>(reach, false, Wanted{}), shows_means);
-    turns.resize(is_plate.size(), false);
+    system.template with_copies_near<Body>(reach, false, Wanted{}, [&](auto const& copies) {
+      all.add_here(copies);
+      if constexpr (OneOf<OnPlate, Given>) add_plates(copies.to_host(OnPlate{}), shows_means);
+      is_plate.resize(all.places.size() - owned, !shows_means);
+      turns.resize(is_plate.size(), false);
+    });
   }
 
  private:
-  template <class Given, class Particles>
-  [[gnu::cold]] void add_wall_particles(Particles const& particles, bool shows_means) {
-    all.add_here(particles);
-    if constexpr (OneOf<OnPlate, Given>) add_plates(particles.to_host(OnPlate{}), shows_means);
-    is_plate.resize(all.places.size() - owned, !shows_means);
-  }
   template <class Values>
   void add_plates(Values const& values, bool shows_means) {
     for (auto const on : values) is_plate.push_back(on > 0 || !shows_means);
   }
 };
 
-/// Looks for walls that are too thin:
-///   a wall with material on both sides, of which one of its particles shows each side a mean with a share of the other
-///     above 5 %; walls of 4 spacings stay below
-///   a plate of less than 1.75 spacings with material on both sides, which then act on each other; at the start,
-///     of less than 2.5 if it turns: grains press closer to its rows than half a spacing, which a plate of two does not
-///     bear
+/// The search for walls that are too thin (thicknesses for the usual support of the kernel):
+///   a wall with material on both sides, if one of its particles shows each side a mean to which the other side
+///     contributes more than 5 %; in walls of 4 spacings it contributes less
+///   a plate of less than 1.75 spacings with material on both sides, which then interacts through it; at the start, of
+///     less than 2.5 if it turns: grains come closer to its rows than half a spacing, for which a plate of two rows is
+///     too thin
 ///   a wall of one row of particles with material in front
-/// Edges, bodies of a few spacings with material all around and the feet of plates are not checked, and periods are not
-/// followed. The threads of the host share the walls; of the particles with a fault the one with the lowest number is
-/// named.
+/// Edges, bodies of a few spacings with material all around and the feet of plates are not checked; periodic images are
+/// left out. The threads of the host share the walls; the message names the particle with a fault that has the lowest
+/// number.
 class ThinWalls {
  public:
-  /// Used in place of the number of a particle where there is none.
+  /// The value of lowest() if no particle has a fault.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// Examines the particles at walls of a spacing (m) in 2 or 3 dimensions.
+  /// Checks the particles at walls with a spacing (m) in 2 or 3 dimensions.
   [[gnu::cold]] ThinWalls(ParticlesAtWalls const& particles, double spacing, int dimensions);
-  /// The number of wall particles with a fault.
+  /// Returns the number of wall particles with a fault.
   std::size_t faults() const { return found_.faults; }
-  /// The lowest number of a wall particle with a fault; `none` if there is none.
+  /// Returns the lowest number of a wall particle with a fault; `none` if no particle has one.
   std::size_t lowest() const { return found_.lowest; }
   /// Returns a description of the fault of the particle lowest().
   [[gnu::cold]] std::string text() const;
@@ -118,17 +108,16 @@ class ThinWalls {
   Found found_;
 };
 
-/// So many wall particles must have a fault, so that single grains that have sunk into a wall do not count.
+/// The smallest number of wall particles with a fault that leads to a message, so that single grains that have sunk
+/// into a wall are ignored.
 inline constexpr int many_thin_places = 3;
 
-/// The message for the first wall that is too thin for particles of a spacing (m); "" if no wall is, or if there are
-/// fewer than many_thin_places.
-[[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions);
-/// The message of fault_of_thin_walls() for a part of the particles of a case, where the part has the first wall that
-/// is too thin. `of_case` is a body of it (WholeBody).
-template <class Whole>
+/// Returns the message about the first wall that is too thin for particles with a spacing (m); "" if there is none, or
+/// if fewer than many_thin_places wall particles of the case have a fault. If the particles of the case are in several
+/// places, the message is returned where the first such wall is.
+template <class Case = WholeCase>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
-                                              Whole const& of_case) {
+                                              Case const& of_case = {}) {
   ThinWalls const walls(particles, spacing, dimensions);
   double const lowest = -of_case.largest(-double(walls.lowest()));
   bool const many = of_case.sum(long(walls.faults())) >= many_thin_places;

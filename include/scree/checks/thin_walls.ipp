@@ -21,11 +21,6 @@ SCREE_BODY ThinWalls::ThinWalls(ParticlesAtWalls const& particles, double spacin
   if (particles.owned > 0) find();
 }
 
-SCREE_BODY std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions) {
-  ThinWalls const walls(particles, spacing, dimensions);
-  return walls.faults() >= many_thin_places ? walls.text() : "";
-}
-
 SCREE_BODY std::string ThinWalls::text() const {
   auto const& x = particles_.all.places[particles_.owned + found_.place];
   detail::WallView const view = look_(x);

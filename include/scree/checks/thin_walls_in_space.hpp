@@ -7,8 +7,8 @@
 
 #include <vector>
 
-// The search for walls that are too thin, on the execution space that has the particles. It says whether there are any;
-// where there are, the host looks and names one of them.
+// The search for walls that are too thin, in the execution space that has the particles. It only finds whether there
+// are any; if so, the host repeats the search and names one of them.
 namespace scree::detail {
 
 /// Counts the particles of walls that have a fault.
@@ -36,7 +36,7 @@ struct CountThinWalls {
   }
 
  private:
-  /// Visits the particles of the material, or those of walls, that are not where `here` is.
+  /// Visits the particles of the material, or those of walls, that are near but not at the position of `here`.
   template <class Visit>
   SCREE_FN void for_each_near(Spot const& here, bool material, Visit const& visit) const {
     cells.for_each_near(here.x, [&](int j, Spot const&, double x, double y, double z, double squared) {
@@ -47,9 +47,9 @@ struct CountThinWalls {
   }
 };
 
-/// The number of wall particles with a fault, that of ThinWalls::faults() apart from rounding; -1 if the host has to
-/// check, because too many particles are in one bucket. The spots are those of the material and then of walls;
-/// `is_plate` and `turns` (empty: none) have an entry for each particle of a wall.
+/// Returns the number of wall particles with a fault, as ThinWalls::faults() does, apart from rounding; -1 if the host
+/// has to check, because too many particles are in one bucket. The spots are those of the material, then those of
+/// walls; `is_plate` and `turns` (empty: none) have an entry for each wall particle.
 template <class Space>
 int faults_of_thin_walls(Spots<Space> const& spots, double spacing, int dimensions,
                          ArrayIn<char, Space> const& is_plate, ArrayIn<char, Space> const& turns,

@@ -19,33 +19,34 @@ namespace scree::detail {
 /// A way in which a wall is too thin at one of its particles.
 enum class ThinWall { none, few_rows, shows_both_sides, thin_plate, turning_plate };
 
-/// The surroundings of one wall particle within a little less than a support, on the host or on a device.
-/// A function that visits particles of the material, `for_each_material`, calls visit(x, squared) with the vector from
-/// the wall particle (m) and its square, each time in the same order.
+/// The surroundings of one wall particle within a little less than a support, on the host or on a device. A function
+/// `for_each_material` visits particles of the material: it calls visit(x, squared) with the vector x from the wall
+/// particle (m) and its square, each time in the same order.
 struct WallView {
   using Point = Vec<3, double>;
   // Thresholds of the checks below. Lengths are in spacings.
-  static constexpr double second_row = 1.6;  // nearer are the first row of a lattice and its diagonals, not the second
-  static constexpr double while_turning = 0.75;   // grains come so much closer to a plate that turns, at most
+  static constexpr double second_row = 1.6;  // the first row of a lattice and its diagonals are nearer, not the second
+  static constexpr double while_turning = 0.75;   // grains come closer to a turning plate by at most this distance
   static constexpr double usual_support = 3;      // of a kernel with a support of 2 h and the default smoothing length
-  static constexpr double least_share = 0.05;     // of the weight: on the other side are only grains that have sunk in
+  static constexpr double least_share = 0.05;     // of the weight; with less, only grains that have sunk in are there
   static constexpr double cosine_behind = 0.4;    // within 66 degrees of straight behind
   static constexpr double cosine_opposite = 0.8;  // within 37 degrees of opposite
-  // The ratio of the second moment across the normal to that along it. A lattice in front of a flat wall has 0.49 (0.48
-  // in space); the surroundings of the end of a plate of one row have 0.67 or more.
+  // The largest ratio of the second moment across the normal to that along it. A lattice in front of a flat wall has
+  // 0.49 (0.48 in space); the surroundings of the end of a plate of one row have 0.67 or more.
   static constexpr double widest = 0.65;
 
   int dimensions = 2;
   double spacing = 1;              ///< m
-  double support = usual_support;  ///< of the kernel, spacings; less than 3 counts as 3
+  double support = usual_support;  ///< of the kernel, spacings; values below 3 are treated as 3
   double other_share = 0;          ///< share of the weight of the material on the side that has less of it
   int fewer = 0;                   ///< particles of the material on the side that has fewer
-  double thickness = 0;            ///< between the material of both sides, m
-  bool is_edge = false;            ///< there is material to the side, or both sides are not opposite
-  bool has_few_rows = false;       ///< there is material in front, and walls do not fill its support
-  double depth = 0;                ///< how far behind there are particles of walls, m; 0 if there is no second row
+  double thickness = 0;            ///< between the material on both sides, m
+  bool is_edge = false;            ///< whether there is material to the side, or both sides are not opposite
+  bool has_few_rows = false;       ///< whether there is material in front, and walls do not fill its support
+  double depth = 0;                ///< largest distance of wall particles behind, m; 0 if there is no second row
 
-  /// Which fault the wall has here. `plate`: it is a plate; `turns`: it turns, now or later.
+  /// Returns the fault of the wall at this particle. `plate`: whether it is a plate; `turns`: whether it turns, now or
+  /// later.
   SCREE_FN ThinWall fault(bool plate, bool turns) const {
     if (has_few_rows) return ThinWall::few_rows;
     int const bed = dimensions == 2 ? 4 : 8;  // fewer particles are grains that have sunk into the wall
@@ -54,22 +55,23 @@ struct WallView {
     if (thickness < thin() * spacing) return ThinWall::thin_plate;
     return turns && thickness < (thin() + while_turning) * spacing ? ThinWall::turning_plate : ThinWall::none;
   }
-  /// The distance up to which the surroundings of a wall particle are examined, spacings. If the support is wider than
-  /// usual, the weight beyond it is at most 0.3 % of that at distance zero. With the usual support the distance is
-  /// slightly less than 3 spacings, so that rounding does not decide whether a row of particles there is counted.
+  /// Returns the distance up to which the surroundings of a wall particle are examined, spacings. If the support is
+  /// wider than usual, the weight beyond it is at most 0.3 % of that at distance zero. With the usual support the
+  /// distance is slightly less than 3 spacings, so that rounding does not decide whether a row of particles there is
+  /// included.
   SCREE_FN static double reach(double support) { return Kokkos::max(Kokkos::sqrt(8.7), 0.85 * support); }
-  /// The width of the cells for this search, spacings.
+  /// Returns the width of the cells for this search, spacings.
   SCREE_FN static double cell(double support) { return Kokkos::max(double(usual_support), 0.85 * support); }
-  /// A plate that is thinner has material that acts on material through it, spacings: a plate of two rows is thicker
-  /// with the usual support, also when grains have come closer than at the start.
+  /// Returns the thickness below which material acts on material through a plate, spacings. With the usual support, a
+  /// plate of two rows is thicker, even if grains have come closer than at the start.
   SCREE_FN double thin() const { return Kokkos::max(1.75, 0.8 * support - 1); }
-  /// Particles of walls must be so far behind the first row, spacings, or a second row must be there: the next row that
-  /// is missing is then farther from the material than 0.82 supports.
+  /// Returns the distance behind the first row up to which there must be particles of walls, spacings; 0 if a second
+  /// row is enough. The next row, which is missing, is then farther from the material than 0.82 supports.
   SCREE_FN double least_depth() const { return support > usual_support ? 0.82 * support - 2 : 0; }
-  /// The sentence about a fault of this wall; "" for none.
+  /// Returns the sentence about a fault of this wall; "" if there is none.
   [[gnu::cold]] std::string text(ThinWall fault) const;
-  /// Finds the members above. for_each_wall(visit) calls visit(x) for the particles of walls within the same distance;
-  /// it is called where walls behind are looked for.
+  /// Sets the members above. for_each_wall(visit) calls visit(x) for the particles of walls within the same distance;
+  /// it is called only if the walls behind the particle are needed.
   template <class ForEachMaterial, class ForEachWall>
   SCREE_FN void look(ForEachMaterial const& for_each_material, ForEachWall const& for_each_wall) {
     Point across;  // the direction through the wall
@@ -98,7 +100,7 @@ struct WallView {
     is_edge = aside > widest * along || dot(mean_here, mean_there) > -cosine_opposite * lengths;
     thickness = least_here + least_there - spacing;
     if (there > 0 || !(least_here < second_row * spacing)) return;
-    int beside = 0;  // a few wall particles on their own are no row
+    int beside = 0;  // a few isolated wall particles are not a row
     for_each_wall([&](Point const& x) {
       double const distance = norm(x), behind = -dot(x, across);
       if (behind > cosine_behind * distance) depth = Kokkos::max(depth, behind);
@@ -114,7 +116,8 @@ struct WallView {
     double const R = Kokkos::max(double(usual_support), support), r = distance / spacing, left = 1 - r / R;
     return left > 0 ? left * left * left * left * (1 + 4 * r / R) : 0;
   }
-  /// Starts with the direction of the nearest particle. Returns false without material.
+  /// Finds the direction through the wall, starting from that of the nearest particle. Returns false if there is no
+  /// material.
   template <class ForEachMaterial>
   SCREE_FN bool find_across(ForEachMaterial const& for_each_material, Point& across) {
     double least = Kokkos::Experimental::infinity_v<double>;
@@ -140,16 +143,17 @@ struct WallView {
   }
 };
 
-/// Evaluates the surroundings of wall particles, on the host. The particles of the material come first; there are
-/// `owned` of them.
+/// An evaluation of the surroundings of wall particles, on the host. The particles of the material come first; there
+/// are `owned` of them.
 class WallsLook {
  public:
   using Point = PointsInCells::Point;
   WallsLook(std::vector<Point> const& places, std::size_t owned, double spacing, int dimensions,
             double support = WallView::usual_support);
-  /// The number of cells with wall particles.
+  /// Returns the number of cells with wall particles.
   std::size_t cells() const { return walls_.size(); }
-  /// Calls visit(w, view) for those wall particles in some cells that see material.
+  /// Calls visit(w, view) for the wall particles in the cells from `from` up to, but not including, `to` that have
+  /// material near them.
   template <class Visit>
   void visit_cells(std::size_t from, std::size_t to, Visit const& visit) const {
     Around around;
@@ -163,7 +167,7 @@ class WallsLook {
   WallView operator()(Point const& x) const;
 
  private:
-  /// The particles around a box. The neighbours of wall particles are found when one of them is needed.
+  /// The particles around a box. Those of walls are found only when one of them is needed.
   struct Around {
     std::vector<PointsInCells::Numbered> material;
     void find(WallsLook const& all, PointsInCells::Hull const& hull);
@@ -181,11 +185,12 @@ class WallsLook {
     std::vector<PointsInCells::Numbered> walls_;
     bool has_walls_ = false;
   };
-  /// The particles of the material in cells that walls are near.
+  /// Returns the particles of the material in cells that are near walls.
   PointsInCells material_near(std::vector<Point> const& places) const;
   double cell() const { return WallView::cell(support_) * spacing_; }
   double reach() const { return WallView::reach(support_) * spacing_; }
-  /// Calls visit(x from `centre`, |x|^2) for each particle that is near.
+  /// Calls visit(x, |x|^2) with the vector x (m) from `centre` to y if y is near.
+  ///
   template <class Visit>
   void if_near(Point const& centre, Point const& y, Visit const& visit) const {
     WallView::Point const x = {y[0] - centre[0], y[1] - centre[1], y[2] - centre[2]};

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/one_rank.hpp"
+#include "../core/whole_case.hpp"
+#include "../fields/bodies.hpp"
 #include "../fields/standard.hpp"
 #include "../neighbours/grid.hpp"
 #include "../passes/survey.hpp"
+#include "../snapshots/snapshot.hpp"
 #include "by_identity.hpp"
 #include "divide.hpp"
 #include "team.hpp"
@@ -13,12 +15,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace scree {
 
-/// Agreement of the ranks of a case, as OneRank (core/one_rank.hpp) for a case whose particles are all here.
+/// Agreement of the ranks of a case on what is true of all its particles, in place of WholeCase (core/whole_case.hpp).
+/// All ranks call its functions together.
 template <class P>
 class Agreement {
  public:
@@ -27,12 +32,21 @@ class Agreement {
 
   /// The ranks of the case.
   Team<typename P::space> const& team() const { return team_; }
+  /// Whether this rank has all particles of the case: until the first lists, unless it begins with a share.
+  bool all_here() const { return held_ == Held::whole; }
+  /// Throws std::logic_error unless this rank has all particles of the case.
+  void require_all_here() const {
+    if (!all_here())
+      throw std::logic_error(
+          "scree: set rest positions before the first step or rates: on ranks, surfaces of rigid bodies and walls "
+          "are found while each rank has the whole case");
+  }
   /// Whether there are other ranks.
-  bool several() const { return team_.ranks() > 1; }
+  bool is_shared() const { return team_.ranks() > 1; }
   /// The largest value of a number on any rank; every rank gets it.
   double largest(double here) const { return team_.largest(here); }
   /// Whether a condition holds on at least one rank.
-  bool on_any(bool here) const { return largest(here ? 1 : 0) > 0; }
+  bool anywhere(bool here) const { return largest(here ? 1 : 0) > 0; }
   /// Joins the frames of each body over all ranks.
   void join(std::vector<Frame<P::dim>>& frames) const {
     auto const all = team_.gather(frames);
@@ -66,35 +80,45 @@ class Agreement {
     return {joined, count};
   }
 
-  /// Whether each rank has its own particles only: from the first lists on, or from the start if it begins with a
-  /// share.
-  bool scattered() const { return held_ != Held::whole; }
-  /// Whether particles have gone to the ranks that their positions belong to.
-  bool settled() const { return held_ == Held::own; }
   /// The values of all ranks, those of rank 0 first.
   template <class T>
   std::vector<T> of_all(std::vector<T> values) const {
-    return scattered() ? detail::joined_values(team_, std::move(values)) : values;
+    return all_here() ? values : detail::joined_values(team_, std::move(values));
   }
   /// The sum of a number of particles over all ranks.
-  long sum(long here) const { return scattered() ? long(team_.sum(here)) : here; }
+  long sum(long here) const { return all_here() ? here : long(team_.sum(here)); }
   /// Sums of integers over all ranks, element by element.
-  std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return scattered() ? team_.sum(here) : here; }
+  std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return all_here() ? here : team_.sum(here); }
   /// Exact sums over all ranks, element by element, as numbers.
   std::vector<double> sum(std::vector<ExactSum> const& here) const {
-    return scattered() ? team_.sum(here) : one_rank.sum(here);
+    return all_here() ? whole_case_here.sum(here) : team_.sum(here);
   }
   /// The number of particles of all ranks.
   long count(AnyParticles<P> const& body) const { return detail::on_all_ranks(body) ? body.size() : sum(body.size()); }
   /// Brings values of the particles of all ranks, or of some of them by number, into the order of their identities.
   template <class Body, class... Numbers>
   detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
-    return {team_, body.to_host(fields::identity, which...), scattered() && !detail::on_all_ranks(body)};
+    return {team_, body.to_host(fields::identity, which...), !all_here() && !detail::on_all_ranks(body)};
+  }
+  /// Gives the arrays of particles in a snapshot of a system the values of all ranks, in the order of identities.
+  template <class Sys>
+  [[gnu::cold]] void collect(Snapshot& snapshot, Sys const& system) const {
+    detail::for_each_body(typename Sys::bodies{}, [&]<class Body>() {
+      auto const& body = system.template body<Body>();
+      auto const order = order_of(body);
+      std::string const name(Body::name);
+      for (SnapshotArray& array : snapshot.arrays) {
+        bool const of_lists = array.name == "neighbours/" + name && system.neighbour_builds() > 0 && !all_here();
+        if (!of_lists && array.name.rfind(name + "/", 0) != 0) continue;
+        array.bytes.resize(array.bytes_of_each() * std::size_t(body.size()));  // without ghosts
+        array.bytes = order.of(std::move(array.bytes), array.bytes_of_each());
+      }
+    });
   }
   /// Whether this rank is the one that reports for the case.
   bool reports() const { return team_.rank() == 0; }
   /// Whether particles that are added to the case are added here; they move to their rank with the next lists.
-  bool takes_new() const { return !scattered() || reports(); }
+  bool takes_new() const { return all_here() || reports(); }
 
  protected:
   enum class Held { whole, share, own };

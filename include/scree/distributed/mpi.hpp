@@ -4,7 +4,7 @@
 
 #if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
 
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "../fields/memory.hpp"
 #include "team.hpp"
 
@@ -159,12 +159,12 @@ class Mpi {
   Pinned to_send_, received_;
 };
 
-/// MPI for the length of a program, whose first rank alone writes files (core/this_rank.hpp). Make it in main() before
-/// Kokkos.
+/// MPI for the length of a program, whose first rank alone writes files (core/writes_files.hpp). Make it in main()
+/// before Kokkos.
 class MpiProgram {
  public:
   /// Calls MPI_Init with the arguments of main().
-  MpiProgram(int& argc, char**& argv) : here_(rank_of(argc, argv)) {}
+  MpiProgram(int& argc, char**& argv) : files_(is_first(argc, argv)) {}
   MpiProgram(MpiProgram const&) = delete;
   MpiProgram& operator=(MpiProgram const&) = delete;
   ~MpiProgram() { MPI_Finalize(); }
@@ -181,11 +181,11 @@ class MpiProgram {
   }
 
  private:
-  static int rank_of(int& argc, char**& argv) {
+  static bool is_first(int& argc, char**& argv) {
     MPI_Init(&argc, &argv);
-    return Mpi().rank();
+    return Mpi().rank() == 0;
   }
-  detail::OnThisRank here_;
+  detail::LetWriteFiles files_;
 };
 
 }  // namespace scree

@@ -10,6 +10,7 @@
 #include "exchange.hpp"
 #include "find.hpp"
 #include "migration.hpp"
+#include "shares_at_start.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -55,6 +57,8 @@ class OtherRanks : public Agreement<P> {
         // Lists are built of pairs within support and half the margin.
         needed_(settings.periods, (support + margin / 2) * (1 + 1e-5)) {}
 
+  /// The agreement of all ranks.
+  OtherRanks const& whole_case() const { return *this; }
   bool any() const { return true; }
   /// The images at the ends of periods, without other ranks.
   PeriodicImages<P> images() const { return images_; }
@@ -65,10 +69,10 @@ class OtherRanks : public Agreement<P> {
 
   /// Ghosts suffice wherever the owned particles of a rank are, so these may wait for lists that end between steps.
   /// Periodic images may not.
-  bool must_settle(int builds) const { return !settings_.periods.empty() || builds > 64; }
+  bool must_settle(int& unsettled) const { return ++unsettled > 64 || !settings_.periods.empty(); }
   /// Divides the case if that is due, before settle() of the bodies.
   static void before_settle(std::vector<OtherRanks>& all, detail::AllBodiesRead<P> bodies) {
-    all[0].shared().divide_if_due(all[0].needed_.reach(), all[0].scattered(), bodies);
+    all[0].shared().divide_if_due(all[0].needed_.reach(), !all[0].all_here(), bodies);
   }
   /// Wraps particles that left a period, and sends those that left this rank to the ranks that they belong to.
   void settle(AnyParticles<P>& body);
@@ -76,14 +80,16 @@ class OtherRanks : public Agreement<P> {
   static void before_create(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
   /// Replaces all ghosts according to the positions of the owned particles of all ranks.
   void create(AnyParticles<P>& body);
-  /// Copies of the particles of a body on other ranks that are within a distance (m) of the box around the particles of
-  /// `bodies` here, and of periodic images if those are wanted. All ranks call it together.
-  template <class... Fs>
-  Particles<P, Fields<Fs...>> copies_near(AnyParticles<P> const& body, detail::AllBodiesRead<P> bodies, double distance,
-                                          bool images, Fields<Fs...> list) const {
+  /// Unless all particles are here, visit(copies) for copies of the particles of a body on other ranks that are within
+  /// a distance (m) of the box around the particles of `bodies` here, and of periodic images if those are wanted. All
+  /// ranks call it together.
+  template <class... Fs, class Visit>
+  void with_copies_near(AnyParticles<P> const& body, detail::AllBodiesRead<P> bodies, double distance, bool images,
+                        Fields<Fs...> list, Visit const& visit) const {
+    if (this->all_here()) return;
     Particles<P, Fields<Fs...>> copies(body.space());
     copy_near(body, body.numbers_of(list), bodies, distance, images, copies, copies.numbers_of(list));
-    return copies;
+    visit(copies);
   }
   /// Copies columns of the origins to the ghosts, except those that are up to date there.
   void refresh(AnyParticles<P>& body, ColumnNumbers columns);
@@ -106,13 +112,20 @@ class OtherRanks : public Agreement<P> {
   static void begin_again(std::vector<OtherRanks>& all) {
     for (auto& each : all) each.held_ = Held::whole;
   }
-  /// Declares that each rank begins with a share of the particles. They go to their ranks with the first lists.
-  static void begin_with_shares(std::vector<OtherRanks>& all) {
+  /// Begins with the particles that a solver is given on each rank, of the whole case or in shares, which go to their
+  /// ranks with the first lists. Throws std::invalid_argument if the shares are not those of one case.
+  template <class Start>
+  static void begin(std::vector<OtherRanks>& all, Start const& start) {
+    if (!all[0].anywhere(detail::begins_from_shares(start))) return;
     for (auto& each : all) each.held_ = Held::share;
+    detail::check_shares(start, all[0]);
   }
+  /// Whether this rank has a share whose particles may belong to other ranks.
+  bool has_share() const { return held_ == Held::share; }
   /// Divides a case whose particles all ranks have, and makes the ghosts. Particles stay where they are, also outside
   /// of a period. Returns the numbers of those that each body keeps here.
-  static std::vector<std::vector<int>> scatter(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
+  static std::optional<std::vector<std::vector<int>>> scatter(std::vector<OtherRanks>& all,
+                                                              detail::AllBodies<P> bodies);
 
   /// How often the case was divided, and how many particles this rank received.
   RankCounts const& counts() const { return settings_.shared->counts; }
@@ -224,7 +237,8 @@ void OtherRanks<P>::refresh_all(std::vector<OtherRanks>& all, detail::AllBodies<
 }
 
 template <class P>
-std::vector<std::vector<int>> OtherRanks<P>::scatter(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies) {
+std::optional<std::vector<std::vector<int>>> OtherRanks<P>::scatter(std::vector<OtherRanks>& all,
+                                                                    detail::AllBodies<P> bodies) {
   before_settle(all, bodies);
   std::vector<std::vector<int>> numbers;
   for (std::size_t k = 0; k < bodies.size(); ++k) numbers.push_back(all[k].keep_own(bodies[k]));

@@ -165,7 +165,7 @@ Team<Space> team_of_mpi(MPI_Comm communicator = MPI_COMM_WORLD) {
 template <class Space, class Function>
 void run_on_mpi(Function const& function) {
   Mpi mpi;
-  detail::OnThisRank const here{mpi.rank()};
+  detail::LetWriteFiles const here{mpi.rank() == 0};
   try {
     function(team_of_mpi<Space>(), Space());
   } catch (std::exception const& error) {

@@ -4,7 +4,7 @@
 
 #include "../core/instances.hpp"
 #include "../core/setting.hpp"
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "shared_memory.hpp"
 #include "team.hpp"
 
@@ -26,7 +26,7 @@ void run_on_threads(int ranks, Function const& function) {
   auto const ends = SharedMemory::ends(ranks);
   std::vector<std::exception_ptr> failures(ends.size()), followed(ends.size());
   auto const run = [&](std::size_t rank) {
-    detail::OnThisRank const here{int(rank)};
+    detail::LetWriteFiles const here{rank == 0};
     SharedMemory end = ends[rank];
     try {
       function(Team<Space>(end), instances[rank]);

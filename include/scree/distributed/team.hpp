@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/exact_sum.hpp"
-#include "../core/share_of_rank.hpp"
+#include "../fields/shared_points.hpp"
 #include "rank_figures.hpp"
 #include "transport.hpp"
 

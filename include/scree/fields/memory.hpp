@@ -102,7 +102,9 @@ void copy_bytes(Execution const& space, void* to, void const* from, std::size_t 
   if constexpr (on_host<To> && on_host<From>) {
     std::memcpy(to, from, bytes);
   } else {
-    Kokkos::Impl::DeepCopy<To, From, Execution>(space, to, from, bytes);
+    using Unmanaged = Kokkos::MemoryTraits<Kokkos::Unmanaged>;
+    Kokkos::deep_copy(space, Kokkos::View<std::byte*, To, Unmanaged>(static_cast<std::byte*>(to), bytes),
+                      Kokkos::View<std::byte const*, From, Unmanaged>(static_cast<std::byte const*>(from), bytes));
     space.fence("scree::copy_bytes");
   }
 }

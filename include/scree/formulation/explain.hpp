@@ -184,10 +184,10 @@ inline constexpr bool has_model_of_each<PhysicsOfBodies<Parts...>, Bodies<Bs...>
 template <class P>
 constexpr bool explain_several() {
   constexpr bool rigid = several_evolve<P> && has_rigid_bodies<typename P::bodies>,
-                 ranks = several_evolve<P> && on_ranks<typename P::template ghosts<basis_of<P>>>;
+                 divides = several_evolve<P> && DividesCase<typename P::template ghosts<basis_of<P>>>;
   static_assert(!rigid, "a formulation with a body that derives from RigidBody has one body that evolves");
-  static_assert(!ranks, "a formulation whose case may have several ranks has one body that evolves");
-  return !rigid && !ranks;
+  static_assert(!divides, "a formulation whose case may have several ranks has one body that evolves");
+  return !rigid && !divides;
 }
 template <class P>
 constexpr bool explain_bodies() {

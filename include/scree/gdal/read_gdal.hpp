@@ -8,7 +8,7 @@
 
 #include <memory>
 
-// Rasters in the formats that GDAL reads, GeoTIFF for instance. For programs that link scree::gdal.
+// Rasters in the formats that GDAL reads, for instance GeoTIFF, for programs that link scree::gdal.
 namespace scree {
 
 namespace detail {
@@ -20,7 +20,7 @@ struct CloseDataset {
   throw std::runtime_error(file.string() + ": " + why);
 }
 
-/// A raster of the size and place of a dataset, without values.
+/// Returns a raster with the size and position of a dataset, without values.
 inline Raster raster_like(GDALDatasetH dataset, std::filesystem::path const& file) {
   double t[6] = {};  // x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row, of the corners of cells
   if (GDALGetGeoTransform(dataset, t) != CE_None) fail_raster(file, "it does not say where its cells are");
@@ -34,9 +34,9 @@ inline Raster raster_like(GDALDatasetH dataset, std::filesystem::path const& fil
 
 }  // namespace detail
 
-/// The values of a band of a raster file. They are those at the middle of each cell, as in read_raster(); cells without
-/// a value become NaN. The file must have square cells in rows from north to south, in metres. Throws
-/// std::runtime_error with the file and the reason; also for a number that cannot be a height, as read_asc() does.
+/// Returns the values of a band of a raster file at the centres of the cells, as read_raster() does; cells without a
+/// value become NaN. The file must have square cells in rows from north to south, in metres. Throws std::runtime_error
+/// with the file and the reason, also for a number that cannot be a height, as read_asc() does.
 inline Raster read_gdal(std::filesystem::path const& file, int number = 1) {
   GDALAllRegister();
   std::unique_ptr<void, detail::CloseDataset> const dataset(

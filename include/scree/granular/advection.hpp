@@ -10,13 +10,13 @@
 #include <tuple>
 #include <type_traits>
 
-// The velocity with which particles of a material move. A model of it names the entry of the position in `evolves` and
-// returns the stages that evolve velocity and position from given passes for the acceleration.
+// The velocity with which particles of a material move. An advection model names the entry of the position in `evolves`
+// and returns the stages that evolve velocity and position, given the passes that compute the acceleration.
 namespace scree {
 
-/// The velocity with which particles move, as a value:
+/// An advection scheme, which chooses the velocity that moves particles, is a struct with these members:
 ///   position                   the entry of the position in `evolves`: Position, or Evolves<Position, ...>
-///   stages(rho, passes)        tuple of stages that evolve velocity and position; `passes` give the acceleration
+///   stages(rho, passes)        tuple of stages that evolve velocity and position; `passes` compute the acceleration
 template <class A>
 concept AdvectionScheme = requires(A const& advection, UniformDensity const& rho) {
   typename A::position;
@@ -24,7 +24,7 @@ concept AdvectionScheme = requires(A const& advection, UniformDensity const& rho
   std::tuple_size<decltype(advection.stages(rho, std::tuple<>()))>::value;
 };
 
-/// Particles move with their own velocity.
+/// Advection scheme in which particles move with their own velocity.
 struct OwnVelocity {
   using position = Position;
   template <class Rho, class Passes>
@@ -33,8 +33,8 @@ struct OwnVelocity {
   }
 };
 
-/// Particles move with a velocity between their own and the mean of their surroundings, see terms/xsph.hpp. Not with
-/// VelocityVerlet, which moves particles with their own velocity.
+/// Advection scheme in which particles move with a velocity between their own and the mean of their neighbours, see
+/// terms/xsph.hpp. Xsph cannot be combined with VelocityVerlet, which moves particles with their own velocity.
 struct Xsph {
   double epsilon = 0.5;
 

@@ -9,12 +9,14 @@
 
 #include <string>
 
-// Material in space that yields far from plane shear, where a circular cone has not the strength of sand.
+// Detection of material in 3D that yields far from plane shear, where a circular cone does not have the strength of
+// sand.
 namespace scree {
 namespace granular {
 
-/// The load V p of a particle; the same if it is within 5 % of yield; and this times the share by which the strength of
-/// Matsuoka & Nakai differs from that of the cone there. Zeros in the plane.
+/// Computes three values of a particle: the load V p; the load if the particle is within 5 % of yield, otherwise 0; and
+/// the second value times the relative difference between the strengths of Matsuoka & Nakai and of the cone at this
+/// stress. In 2D all three are zero.
 template <class Law>
 struct LoadBesideCone {
   static constexpr int count = 3;
@@ -41,19 +43,20 @@ struct LoadBesideCone {
 
 }  // namespace granular
 
-/// How far the material that yields is from the strength of sand, see beside_cone().
+/// The difference between the strength of yielding material and the strength of sand, see beside_cone().
 struct BesideCone {
   double yielding = 0;    ///< share of the load (volume times pressure) that is within 5 % of yield, 0 to 1
-  double difference = 0;  ///< mean share by which the strength of Matsuoka & Nakai differs from that of the cone there
+  double difference = 0;  ///< mean relative difference between the Matsuoka-Nakai and cone strengths
 };
-/// How far the material of a body (WholeBody) that yields is from the strength of sand; zeros in the plane. It runs on
-/// the device.
+/// Returns the difference between the strength of yielding material in a body (WholeBody) and the strength of sand;
+/// zeros in 2D. The sums are computed on the device.
 template <detail::OnCircularCone Law, class Whole>
 BesideCone beside_cone(Law const& law, Whole const& body) {
   auto const sums = sums_over(body, granular::LoadBesideCone<Law>{law}, "the load beside the cone");
   return {sums[0] > 0 ? sums[1] / sums[0] : 0, sums[1] > 0 ? sums[2] / sums[1] : 0};
 }
-/// The warning of a law on a circular cone for a state in which sand has another strength; empty for others.
+/// Returns the warning about a law with a circular cone in a state in which sand has a different strength; empty for
+/// other states.
 [[gnu::cold]] inline std::string warning_beside_cone(BesideCone const& found) {
   if (!(found.yielding > 0.1 && found.difference > 0.1)) return "";
   return detail::formatted(

@@ -9,12 +9,12 @@
 
 namespace scree {
 
-/// The volume control that a law needs: FlowConsistency if the law is Cohesionless, NoVolumeControl otherwise.
+/// The default volume control: FlowConsistency if the law is Cohesionless, otherwise NoVolumeControl.
 struct ControlByLaw {};
 
 namespace granular {
 
-/// The volume control that the models of Granular name.
+/// Selects the type of volume_control_of.
 template <class Control, class Law>
 struct VolumeControlOf {
   using type = Control;
@@ -23,11 +23,11 @@ template <class Law>
 struct VolumeControlOf<ControlByLaw, Law> {
   using type = std::conditional_t<Cohesionless<Law>, FlowConsistency, NoVolumeControl>;
 };
-/// The volume control of a granular model: `Control`, or the one that the law needs.
+/// The volume control of a granular model: `Control`, or the default for the law if `Control` is ControlByLaw.
 template <class Control, class Law>
 using volume_control_of = typename VolumeControlOf<Control, Law>::type;
 
-/// The law that evolves the stress: `Law`, with a memory of gaps if the volume control needs one.
+/// Selects the type of evolved_law.
 template <class Law, class Control>
 struct EvolvedLaw {
   using type = Law;
@@ -36,7 +36,8 @@ template <class Law, NeedsMemory Control>
 requires(!OneOf<Opening, typename Law::history>) struct EvolvedLaw<Law, Control> {
   using type = VolumeMemory<Law>;
 };
-/// The law that evolves the stress, with a memory of gaps if the volume control needs one.
+/// The law that evolves the stress: VolumeMemory<Law> if the volume control needs a memory of gaps that `Law` does not
+/// have, otherwise `Law`.
 template <class Law, class Control>
 using evolved_law = typename EvolvedLaw<Law, Control>::type;
 

@@ -5,10 +5,10 @@
 #include "forces.hpp"
 #include "models.hpp"
 
-// Compile-time messages for models that do not fit Granular.
+// Compile-time error messages for models that do not fit Granular.
 namespace scree::granular {
 
-/// A class that names the members of GranularModels.
+/// Whether a class has all the members of GranularModels.
 template <class Models>
 concept NamesModels = requires {
   typename Models::law;
@@ -22,7 +22,7 @@ concept NamesModels = requires {
   typename Models::advection;
 };
 
-/// One message for each model that does not fit.
+/// Returns whether all models fit Granular. Each model that does not fit fails a static assertion with its own message.
 template <class Models>
 constexpr bool explain_models() {
   constexpr bool names_all = NamesModels<Models>;

@@ -6,12 +6,12 @@
 
 namespace scree {
 
-/// Relaxes the pressure towards that of the compactness, K (phi - phi_0), as VolumeConsistency does, but only where
-/// material flows or bears nothing. Where it is loaded and hardly moves, its stress follows from its history, so that a
-/// heap does not subside. The measure of flow is $N = (\dot\gamma h/c_s) \sqrt{K/p}$, about the difference of the
-/// velocities of neighbours over $\sqrt{p/\rho}$. Loaded material is left alone below `rest` and controlled in full
-/// above `flow`; the share of the control rises smoothly between them. The gap of VolumeMemory replaces the pressure
-/// where the material carries no load.
+/// Volume control that relaxes the pressure towards K (phi - phi_0), the value that belongs to the compactness, like
+/// VolumeConsistency, but only where the material flows or carries no load. Where loaded material hardly moves, its
+/// stress follows from its history, so that a heap does not subside. The measure of flow is $N = (\dot\gamma h/c_s)
+/// \sqrt{K/p}$, about the velocity difference of neighbours over $\sqrt{p/\rho}$. Loaded material is not controlled if
+/// N is below `rest` and fully controlled if N is above `flow`; in between the share of the control rises smoothly.
+/// Where the material carries no load, the gap of VolumeMemory takes the place of the pressure.
 struct FlowConsistency {
   static constexpr bool active = true;
   static constexpr bool needs_memory = true;
@@ -39,18 +39,18 @@ struct FlowConsistency {
     check_parameters(*this, "FlowConsistency");
     check_setting(flow >= rest, "flow (-) of FlowConsistency", flow, "`rest` or more");
   }
-  /// The share of the control under a pressure p > 0 (Pa): 0 at rest, 1 in flow. `sheared` is the shear strain while
-  /// sound passes h, $\dot\gamma h/c_s$.
+  /// Returns the share of the control at a pressure p > 0 (Pa): 0 at rest, 1 in flow. `sheared` is the shear strain in
+  /// the time in which sound travels h, $\dot\gamma h/c_s$.
   template <class Real>
   SCREE_FN Real share(Real p, Real K, Real sheared) const {
-    if (sheared == 0) return Real(0);  // K/p overflows where p is small enough
+    if (sheared == 0) return Real(0);  // K/p overflows if p is very small
     Real const N = sheared * Kokkos::sqrt(K / p);
     if (N >= Real(flow)) return Real(1);
     if (N <= Real(rest)) return Real(0);
     Real const s = (N - Real(rest)) / Real(flow - rest);
     return s * s * (3 - 2 * s);
   }
-  /// dp/d(gamma), Pa, see VolumeControl.
+  /// Returns the change of the pressure per shear strain, dp/d(gamma), Pa, see VolumeControl.
   template <class Real>
   SCREE_FN Real pressure_per_strain(Real p, Real K, Real denser, Real sheared) const {
     Real const rate = p > 0 ? Real(per_strain) * share(p, K, sheared) : Real(per_strain_unloaded);

@@ -14,21 +14,22 @@
 #include <tuple>
 #include <type_traits>
 
-// Forces on a material in addition to stress, viscosity and gravity: the list `forces` of GranularModels.
+// Forces on a material in addition to stress, viscosity and gravity, for the list `forces` of GranularModels.
 namespace scree {
 
-/// A force is a value with one or more of
+/// A force is a struct with one or more of these members:
 ///   passes(rho, resolution)        tuple of passes that run before the sums over neighbours
 ///   terms<Body>(rho, resolution)   tuple of pair terms over the particles of a body, each of which adds to
-///                                  `acceleration`; a wall is seen through its lens
-///   acceleration(i)                m/s^2, from the fields of the particle itself that are named in `reads`
+///                                  `acceleration`; walls are read through their lens
+///   acceleration(i)                the acceleration, m/s^2, from the fields of the particle that are named in `reads`
 /// and optionally
-///   with_sound_speed(c)            the same force with a parameter that follows from the speed of sound of the law
-///                                  (m/s; 0 of laws whose stiffness depends on the state) unless it was given
-/// where rho is the density, see terms/density.hpp.
+///   with_sound_speed(c)            the same force with a parameter set from the speed of sound c of the law, unless
+///                                  the parameter was given; c is in m/s, and 0 for laws whose stiffness depends on the
+///                                  state
+/// Here rho is the density, see terms/density.hpp.
 namespace granular {
 
-/// A force with the parameters that follow from the speed of sound (m/s).
+/// Returns a force with its parameters set from the speed of sound c (m/s), if the force has such parameters.
 template <class Force>
 Force given_sound_speed(Force const& force, [[maybe_unused]] double c) {
   if constexpr (requires { force.with_sound_speed(c); })
@@ -36,7 +37,8 @@ Force given_sound_speed(Force const& force, [[maybe_unused]] double c) {
   else
     return force;
 }
-/// The passes that a force needs before the sum of the accelerations; none if it has no member `passes`.
+/// Returns the passes of a force that run before the sum of the accelerations; none if the force has no member
+/// `passes`.
 template <class Force, class Rho>
 auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
   constexpr bool gives = requires { force.passes(rho, resolution); };
@@ -47,14 +49,14 @@ auto passes_of_force(Force const& force, Rho const& rho, Resolution const& resol
   else
     return detail::Tuple<>();
 }
-/// One message for all bodies.
+/// Fails a static assertion unless the terms of a force fit; the message is the same for all bodies.
 template <class Force, bool Fit>
 constexpr void explain_terms_of() {
   static_assert(Fit,
                 "`terms` of this force cannot be called: it must be a function terms<Body>(rho, resolution) const for "
                 "both bodies and any density, which returns a tuple of terms");
 }
-/// The terms of a force in the sum over the particles of a body; none if it has no member `terms`.
+/// Returns the terms of a force in the sum over the particles of a body; none if the force has no member `terms`.
 template <BodyTag Body, class Force, class Rho>
 auto terms_of_force(Force const& force, Rho const& rho, Resolution const& resolution) {
   constexpr bool gives = requires { force.template terms<Body>(rho, resolution); };
@@ -70,13 +72,13 @@ inline constexpr bool are_forces = false;
 template <class... Forces>
 inline constexpr bool are_forces<std::tuple<Forces...>> = true;
 
-/// A force that adds terms to the sum over neighbours.
+/// Whether a force adds terms to the sum over neighbours.
 template <class Force>
 concept HasTerms = requires(Force const& force, UniformDensity const& rho) {
   force.template terms<Material>(rho, Resolution{});
 };
 
-/// The forces of the models.
+/// Selects the type of motion_forces.
 template <class Forces, bool SpeciesHaveDensities>
 struct MotionForces {
   using type = Forces;
@@ -85,11 +87,11 @@ template <class... Forces>
 struct MotionForces<std::tuple<Forces...>, true> {
   using type = std::tuple<Forces..., AccelerationByCarriedMomentum>;
 };
-/// Forces of the models, and the momentum that species carry if they have densities of their own.
+/// The forces of the models, and in addition the momentum carried by species if the species have different densities.
 template <class Forces, bool SpeciesHaveDensities>
 using motion_forces = typename MotionForces<Forces, SpeciesHaveDensities>::type;
 
-/// The rate of velocity of one particle.
+/// Computes the acceleration of one particle.
 template <class Forces>
 struct Motion;
 template <class... Forces>
@@ -98,7 +100,7 @@ struct Motion<std::tuple<Forces...>> : Forces... {
   using reads = Merge<reads_of<Forces>...>;
   using writes = Fields<Acceleration>;
 
-  /// Takes gravity and the forces, whose accelerations it adds.
+  /// Takes gravity and the forces whose accelerations are added.
   Motion(Gravity const& g, std::tuple<Forces...> const& forces) : Forces(std::get<Forces>(forces))..., gravity(g) {}
 
   template <class I, class T, class O>
@@ -125,7 +127,7 @@ struct Motion<std::tuple<Forces...>> : Forces... {
 
 }  // namespace granular
 
-/// Repulsion of close neighbours in tension, against the tensile instability of cohesive materials, see
+/// Repulsion of close neighbours under tension, which prevents the tensile instability of cohesive materials, see
 /// terms/artificial_stress.hpp.
 struct TensileRepulsion {
   double epsilon = 0.3;
@@ -136,12 +138,12 @@ struct TensileRepulsion {
   }
   /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "TensileRepulsion"); }
-  /// The pass that computes the artificial stress of each particle.
+  /// Returns the pass that computes the artificial stress of each particle.
   template <class Rho>
   auto passes(Rho const& rho, Resolution const&) const {
     return std::tuple(point_pass<Material>("scree::artificial_stress", ArtificialStressOf<Rho>{rho, epsilon}));
   }
-  /// The divergence of the artificial stress over the material; nothing over walls.
+  /// Returns the divergence of the artificial stress in sums over the material, and nothing in sums over walls.
   template <BodyTag Body, class Rho>
   auto terms(Rho const& rho, Resolution const& resolution) const {
     if constexpr (std::is_same_v<Body, Material>)

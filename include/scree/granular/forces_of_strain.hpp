@@ -9,28 +9,30 @@
 #include <tuple>
 #include <type_traits>
 
-// The part of the strain in the momentum balance: with it the forces do the work of the stress on that strain.
+// The forces in the momentum balance that belong to a choice of strain: with them the forces do the same work as the
+// stress on that strain.
 namespace scree::granular {
 
-/// The forces of a strain that is the plain or the corrected velocity gradient: none in addition to the divergence of
-/// the stress. `computes` as of ViscosityScheme.
+/// The forces of PlainStrain and CorrectedStrain: none in addition to the divergence of the stress. The type `computes`
+/// has the same meaning as in ViscosityScheme.
 template <class Strain, class Walls>
 struct ForcesOfStrain {
   using computes = Fields<>;
-  /// Returns passes before the strain rates, which run only if `active` is true.
+  /// Returns the passes that run before the strain rates, if the argument is true: none.
   std::tuple<> passes_if(bool) const { return {}; }
-  /// Returns passes before the acceleration.
+  /// Returns the passes that run before the acceleration: none.
   std::tuple<> passes() const { return {}; }
-  /// Returns passes after an update of the stress.
+  /// Returns the passes that run after an update of the stress: none.
   std::tuple<> projections() const { return {}; }
-  /// Returns terms of the acceleration over the particles of a body.
+  /// Returns the terms of the acceleration over the particles of a body: none.
   template <BodyTag Body, class Rho>
   std::tuple<> terms(Rho const&) const {
     return {};
   }
 };
-/// The antisymmetric stress, from the stress and from the first moment that the last evaluation of strain rates left:
-/// so all rates of a state are computed in one sweep over neighbours, as without it.
+/// The forces of ObjectiveStrain: the antisymmetric stress, computed from the stress and from the first moment that the
+/// last evaluation of strain rates stored. All rates of a state can therefore be computed in one sweep over neighbours,
+/// as without an antisymmetric stress.
 template <IsObjective Strain, class Walls>
 struct ForcesOfStrain<Strain, Walls> {
   using computes = Fields<FirstMoment>;
@@ -44,7 +46,7 @@ struct ForcesOfStrain<Strain, Walls> {
   auto projections() const {
     return std::tuple(point_pass<Material>("scree::antisymmetric_stress", AntisymmetricStressOf{}));
   }
-  /// Returns the pass that computes the antisymmetric stress of walls, if they show means.
+  /// Returns the pass that computes the antisymmetric stress of walls, if the scheme computes means for them.
   auto passes() const {
     if constexpr (shows_means<Walls>)
       return std::tuple(pair_pass_then<Wall>("scree::wall_antisymmetric_stress", walls::MeanAntisymmetricStress{},

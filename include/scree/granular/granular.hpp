@@ -31,9 +31,9 @@
 
 namespace scree {
 
-/// Momentum balance and constitutive law of a dry granular material between walls (Zhu et al. 2024, sections 2 and 3).
-/// The density of a particle is constant; it differs between particles if the law is ByGroup, and follows the
-/// composition of the particle if the law is MixtureDensity.
+/// Physics model with the momentum balance and the constitutive law of a dry granular material between walls (Zhu et
+/// al. 2024, sections 2 and 3). The density of a particle is constant. It differs between groups if the law is ByGroup,
+/// and it follows the composition of the particle if the law is MixtureDensity.
 template <class Models = GranularModels>
 struct Granular {
   using Law = typename Models::law;
@@ -41,7 +41,7 @@ struct Granular {
   using Volume = granular::volume_control_of<typename Models::volume_control, Law>;
   using Walls = typename Models::walls;
   using EvolvedLaw = granular::evolved_law<Law, Volume>;
-  /// The section of the yield surface in a number of dimensions.
+  /// The section of the yield surface in `dim` dimensions.
   template <int dim>
   using section_in = granular::section_of<typename Models::section, Law, dim>;
 
@@ -61,8 +61,8 @@ struct Granular {
   using evolves = Merge<Fields<typename Models::advection::position, Velocity, Stress>, typename EvolvedLaw::history,
                         typename Filter::history>;
 
-  /// Two stages or more: the first evolves the stress from positions and velocities, those after it evolve velocities
-  /// and positions from the new stress.
+  /// Returns two or more stages: the first evolves the stress from positions and velocities; the following stages
+  /// evolve velocities and positions from the new stress.
   auto stages(Resolution const& resolution) const {
     auto const rates = pair_pass_then<Material>("scree::strain_rates", strain(resolution),
                                                 strain_over<Material>(AsIs{}, VelocityGradientSum{}), wall_strain());
@@ -72,8 +72,9 @@ struct Granular {
         pair_pass_then<Material>("scree::acceleration", granular::Motion<MotionForces>{gravity, motion_forces()},
                                  motion_over<Material>(AsIs{}, resolution), motion_over<Wall>(wall_lens(), resolution));
     using Evolved = Merge<Fields<Stress>, typename EvolvedLaw::history, typename Filter::history>;
-    // The density of a mixture follows the exchange of grains, which takes place between the stages. The density of a
-    // group is computed first, because particles of other bodies read it in the second stage.
+    // The density of a mixture follows the exchange of grains, which takes place between the stages. Other densities
+    // that differ between particles, like those of ByGroup, are computed in the first stage, because particles of other
+    // bodies read them in the second stage.
     constexpr bool of_mixture = DensityOfMixture<Law>;
     return std::tuple_cat(
         std::tuple(stage<Evolved>(
@@ -83,12 +84,12 @@ struct Granular {
         advection.stages(rho(), detail::in_a_row(density_passes_if<of_mixture>(), force_passes(resolution),
                                                  walls.stress_passes(rho(), gravity), detail::Tuple(accelerate))));
   }
-  /// The densities of the species (kg/m^3) of a law whose density follows the mixture.
+  /// Returns the densities of the species (kg/m^3) of a law whose density follows the mixture.
   auto species_densities() const requires DensityOfMixture<Law> { return law.densities; }
-  /// The terms for pairs of a particle of this material and a particle of another material in another body, for
-  /// PhysicsOfBodies. Both bodies share one velocity field, as if they were welded: the strain of each follows from the
-  /// velocities of both, and the stress divergence has the form for two densities, so that momentum and energy are
-  /// conserved. The artificial viscosity is the plain one with the mean of both values of `viscosity_speed`. The
+  /// Returns the terms for pairs of a particle of this material and a particle of another material in another body, for
+  /// PhysicsOfBodies. Both bodies share one velocity field, as if they were bonded: the strain of each body depends on
+  /// the velocities of both, and the stress divergence has the form for two densities, so that momentum and energy are
+  /// conserved. The artificial viscosity is PlainViscosity with the mean of both values of `viscosity_speed`. The
   /// `forces` of the models act within each body only.
   template <class OtherModels>
   auto interface_terms(Granular<OtherModels> const& other, Resolution const&) const {
@@ -107,7 +108,7 @@ struct Granular {
     else
       return std::tuple_cat(std::tuple(VelocityGradientSum{}, FirstMomentSum{}), of_motion);
   }
-  /// The passes of the filter of the stress.
+  /// Returns the passes of the stress filter.
   auto filters(Resolution const&) const {
     constexpr bool changes_stress = detail::tuple_size < decltype(filter.passes()) >> 0;
     if constexpr (changes_stress && granular::IsObjective<typename Models::strain>)
@@ -115,16 +116,16 @@ struct Granular {
     else
       return filter.passes();
   }
-  /// The number of steps from one run of the filter to the next.
+  /// Returns the number of steps from one run of the stress filter to the next.
   int filter_period() const { return filter.period; }
-  /// Returns the passes that compute `wall_force` for the present state; for output.
+  /// Returns the passes that compute `wall_force` for the present state, for output.
   auto wall_force_passes(Resolution const& resolution) const {
     return detail::as_std_tuple(detail::in_a_row(
         detail::in_fewer_sweeps(detail::in_a_row(density_passes(), force_passes(resolution), walls.velocity_passes(),
                                                  walls.stress_passes(rho(), gravity))),
         reaction_passes<Wall>(resolution)));
   }
-  /// Returns the passes that compute `wall_force` of a body from rates of the present state.
+  /// Returns the passes that compute `wall_force` of a body from the rates of the present state.
   template <BodyTag Body>
   auto reaction_passes(Resolution const& resolution) const {
     auto const reaction = detail::with_values(
@@ -132,25 +133,25 @@ struct Granular {
     return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
-  /// The acoustic CFL number, step over h/c_s, which must not exceed the largest one of the integrator (largest_cfl()).
+  /// Returns the acoustic CFL number, time step over h/c_s, which must not exceed largest_cfl() of the integrator.
   double acoustic_cfl() const { return cfl; }
-  /// The largest speed of grains that enter, m/s: half the speed of sound times `largest_mach`. If such grains are
-  /// stopped, the pressure rho c u compresses them by u/c. If there are several materials, the fastest sound counts.
-  /// Infinite for laws whose stiffness depends on the state.
+  /// Returns the largest allowed speed of inflowing grains, m/s: half the speed of sound times `largest_mach`. If
+  /// grains with speed u are stopped, the pressure rho c u compresses them by u/c. If there are several materials, the
+  /// largest speed of sound is used. The result is infinite for laws whose stiffness depends on the state.
   double fastest_inlet() const {
     double const c = uniform_sound_speed();
     return c > 0 ? 0.5 * largest_mach * c : std::numeric_limits<double>::infinity();
   }
-  /// The largest speed, m/s, at which full layers of grains that rain in next to rough walls give no warning in 3D: a
-  /// tenth of the speed of sound. Faster layers are stopped by the walls as a block and are under pressure before they
-  /// reach the bed, and part of that pressure remains (docs/theory/verification.md, poured beds). Infinite where
-  /// fastest_inlet() is.
+  /// Returns the largest speed, m/s, at which full layers of grains may rain in next to rough walls without a warning
+  /// in 3D: a tenth of the speed of sound. Faster layers are stopped by the walls as a block and are under pressure
+  /// before they reach the bed; part of that pressure remains (docs/theory/verification.md, poured beds). The result is
+  /// infinite if fastest_inlet() is infinite.
   double fastest_rain() const {
     double const c = uniform_sound_speed();
     return c > 0 ? 0.1 * c : std::numeric_limits<double>::infinity();
   }
-  /// The modulus rho c^2, Pa, for the contact of rigid bodies, of a law with constant stiffness and with one density or
-  /// densities of species; 0 for other laws.
+  /// Returns the modulus rho c^2, Pa, for the contact of rigid bodies, if the law has constant stiffness and either one
+  /// density or densities of species; 0 for other laws.
   double contact_modulus() const {
     if constexpr (ConstantStiffness<Law> && has_one_density)
       return law.density() * sq(law.sound_speed());
@@ -185,9 +186,9 @@ struct Granular {
     check_settings_of(viscosity);
     detail::with_values([](auto const&... each) { (check_settings_of(each), ...); }, given_forces());
   }
-  /// Throws std::invalid_argument if a bed of a depth H (m) would be crushed by its own weight: if rho g H exceeds the
-  /// stiffness rho c^2, for laws of constant stiffness. If there are several materials, the fastest sound counts. A
-  /// common cause is a wrong unit.
+  /// Throws std::invalid_argument if a bed of depth H (m) would be crushed by its own weight: if rho g H exceeds the
+  /// stiffness rho c^2, for laws of constant stiffness. If there are several materials, the largest speed of sound is
+  /// used. A common cause is a wrong unit.
   void check_depth(double depth) const {
     double const g = std::abs(gravity.magnitude), c = uniform_sound_speed();
     if (c > 0 && g * depth > c * c)
@@ -197,8 +198,9 @@ struct Granular {
           "lengths (m); if it is meant, set `start_checks = false`",
           g * depth, depth, c));
   }
-  /// The warnings, one per line, about a gravity that acts upwards, a law without strength (is_without_strength()), and
-  /// a law that is ill-posed at every inertial number (is_never_well_posed()); empty if there are none.
+  /// Returns the warnings, one per line, about gravity that acts upwards, a law without strength
+  /// (is_without_strength()), and a law that is ill-posed at every inertial number (is_never_well_posed()); empty if
+  /// there are none.
   [[gnu::cold]] std::string warning() const {
     std::string text;
     auto const add = [&](std::string const& line) { text += (text.empty() ? "" : "\n") + line; };
@@ -213,9 +215,9 @@ struct Granular {
     if (is_never_well_posed(law)) add(ill_posed);
     return text;
   }
-  /// The warnings about the state of the material (WholeBody): if the law has a circular cone in 3D and the material
-  /// yields far from plane shear, and if it rotates as a rigid body with PlainStrain. An entry is empty if there is no
-  /// warning.
+  /// Returns the warnings about the state of the material (WholeBody): one if the law has a circular cone in 3D and the
+  /// material yields far from plane shear, and one if the material rotates as a rigid body with PlainStrain. An entry
+  /// is empty if there is nothing to warn about.
   template <class Whole>
   [[gnu::cold]] std::vector<std::string> warnings_of_state(Whole const& body) const {
     constexpr int dim = Whole::policy::dim;
@@ -226,7 +228,8 @@ struct Granular {
       all.push_back(warning_of_rotation(rigid_rotation(body.untyped()), body.time()));
     return all;
   }
-  /// The limits of the step by the speed of sound, the acceleration and the viscosity. Throws as check() does.
+  /// Returns the limits on the time step from the speed of sound, the acceleration and the viscosity. Throws
+  /// std::invalid_argument like check(), and if the section of the yield surface is invalid.
   auto limits(Resolution const& resolution) const {
     check();
     if (resolution.dimensions == 3)
@@ -240,8 +243,9 @@ struct Granular {
         limit("force", Magnitude<Acceleration>{}, [c = cfl, h](double a) { return c * std::sqrt(h / a); }),
         limit("viscous", 0.125 * h * h / nu));
   }
-  /// The bounds on a valid state: particles must be slower than sound and must not cluster; if the law requires it,
-  /// they must belong to one of its groups or carry a valid mixture.
+  /// Returns the bounds on a valid state: particles must not exceed `largest_mach` times the speed of sound; with
+  /// volume control they must not cluster; if the law is ByGroup, they must belong to one of its groups; and if the
+  /// density follows the mixture, the mixture must be valid.
   auto validity(Resolution const& resolution) const {
     auto const mach = bound("Mach number", granular::MachNumber<decltype(sound_speed())>{sound_speed()}, largest_mach,
                             "a stiffer law has faster waves; `largest_mach` of Granular allows more");
@@ -278,8 +282,8 @@ struct Granular {
     else
       return granular::SpeedOfState<Law>{law};
   }
-  /// The speed of sound of a law of constant stiffness, m/s; the largest if there are several materials; 0 for other
-  /// laws.
+  /// Returns the speed of sound of a law of constant stiffness, m/s, or the largest one if there are several materials;
+  /// 0 for other laws.
   double uniform_sound_speed() const {
     if constexpr (ConstantStiffness<Law>)
       return law.sound_speed();
@@ -320,7 +324,8 @@ struct Granular {
   using ForcesOfStrain = granular::ForcesOfStrain<typename Models::strain, Walls>;
   static constexpr bool has_one_density = detail::GivesDensity<Law>;
   using MotionForces = granular::motion_forces<typename Models::forces, DensityOfMixture<Law>>;
-  /// The forces whose accelerations add up; among them the momentum that species carry, if their densities differ.
+  /// Returns the forces whose accelerations are added, including the momentum carried by species if the species have
+  /// different densities.
   MotionForces motion_forces() const {
     if constexpr (DensityOfMixture<Law>)
       return std::tuple_cat(given_forces(), std::tuple(AccelerationByCarriedMomentum{}));
@@ -376,16 +381,16 @@ struct Granular {
     else
       return over_through<Body>(lens, velocity_gradient, FirstMomentSum{});
   }
-  /// The sum over the walls in the strain rates: by the term of the wall scheme, if it has one and the gradient is not
-  /// corrected, otherwise by the velocities that its lens shows. A corrected gradient must treat all velocity
-  /// differences in the same way.
+  /// Returns the sum over walls in the strain rates: the term of the wall scheme if it has one and the gradient is not
+  /// corrected, otherwise the sum of the velocity gradient through the lens of the scheme. A corrected gradient must
+  /// treat all velocity differences in the same way.
   auto wall_strain() const {
     if constexpr (HasStrainTerm<Walls> && !Models::strain::corrected)
       return strain_over<Wall>(AsIs{}, walls.strain_term());
     else
       return strain_over<Wall>(wall_lens(), VelocityGradientSum{});
   }
-  /// The forces with the parameters that follow from the law.
+  /// Returns the forces with the parameters that depend on the law.
   typename Models::forces given_forces() const {
     return detail::with_values(
         [c = uniform_sound_speed()](auto const&... each) {
@@ -411,7 +416,7 @@ struct Granular {
         },
         given_forces());
   }
-  /// The terms that the scheme for walls adds to the divergence of the stress.
+  /// Returns the terms that the wall scheme adds to the divergence of the stress.
   template <BodyTag Body>
   auto wall_terms() const {
     if constexpr (std::is_same_v<Body, Wall> && HasForceTerm<Walls, decltype(this->rho())>)
@@ -426,7 +431,7 @@ struct Granular {
   }
 };
 
-/// Models with a mistake, which the compiler has already reported; the rest of Granular is not compiled for them.
+/// Models with a mistake that the compiler has already reported; the rest of Granular is not compiled for them.
 template <class Models>
 requires(!granular::explain_models<Models>()) struct Granular<Models> {
   using refused = Models;

@@ -10,16 +10,17 @@
 #include <type_traits>
 #include <utility>
 
-// The pair loops that the library scree::compiled has: those of Granular<>, in one sweep for all rates and in stages,
-// and of its filter. Other models share those of them that have the same terms, and the sums over neighbours, those of
-// laws without volume control too. src/compiled/loops.cpp makes them from these lists.
+// The pair loops that are compiled in the library scree::compiled: the loops of Granular<>, fused into one sweep for
+// all rates and separate for each stage, and the loop of its filter. Other models use the compiled loops that have the
+// same terms, and the compiled sums over neighbours, which include the sums of laws without volume control.
+// src/compiled/loops.cpp instantiates loops and sums from these lists.
 #ifdef SCREE_COMPILED_LOOPS
 namespace scree::detail {
 
 template <class Model>
 auto passes_with_neighbours(Model const& model) {
   Resolution const resolution;
-  auto const filter = Tuple(value_at<0>(model.filters(resolution)));  // the other pass has no neighbours
+  auto const filter = Tuple(value_at<0>(model.filters(resolution)));  // the second pass of the filter has no neighbours
   return with_values(
       [&](auto const&... stages) { return in_a_row(rates_of(model, resolution), stages.passes..., filter); },
       model.stages(resolution));
@@ -29,7 +30,7 @@ struct loops_of_model : loops_over_lists<P, decltype(passes_with_neighbours(std:
 template <class P>
 using DefaultLoops = typename loops_of_model<P>::type;
 
-/// The loops of the acceleration with AdamiWalls, and those of Shepard's filter.
+/// The loops of the acceleration with AdamiWalls and of ShepardFilter.
 template <class P>
 using LoopsBesideAdamiWalls =
     LoopsOf<P,

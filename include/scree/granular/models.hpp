@@ -15,21 +15,21 @@
 
 namespace scree {
 
-/// The models of Granular, each with a name and a default. A class that derives from this one overrides any of them:
+/// The models of Granular with their defaults. A class derived from GranularModels overrides any of them:
 ///
 ///     struct Clay : GranularModels { using law = DruckerPrager; using filter = NoFilter; };
 ///     using physics = Granular<Clay>;
 ///
-/// parts_of() prints the models of a formulation.
+/// parts_of() returns the models of a formulation as text.
 struct GranularModels {
   using law = MuOfI<>;                  ///< ConstitutiveLaw
-  using section = SectionByLaw;         ///< YieldSection; by default that of sand in space, see there
+  using section = SectionByLaw;         ///< YieldSection; by default that of sand in 3D, see SectionByLaw
   using filter = LinearFilter;          ///< StressFilter
   using volume_control = ControlByLaw;  ///< VolumeControl; by default the one that the law needs
   using walls = ConservingWalls;        ///< WallScheme
   using viscosity = PlainViscosity;     ///< ViscosityScheme; or ResidualViscosity
   using strain = PlainStrain;           ///< StrainChoice; or CorrectedStrain, ObjectiveStrain
-  using forces = std::tuple<>;          ///< further forces, in addition to stress, viscosity and gravity; see Force
+  using forces = std::tuple<>;          ///< forces in addition to stress, viscosity and gravity; see forces.hpp
   using advection = OwnVelocity;        ///< AdvectionScheme, the velocity that moves particles; or Xsph
 };
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
-// The parts of a formulation by name: an alias with a misspelt name changes none of them.
+// The parts of a formulation as text. The text reveals an alias with a misspelt name, which changes no part.
 namespace scree {
 namespace detail {
 
@@ -59,8 +59,8 @@ struct PartsOfPhysics<PhysicsOfBodies<Parts...>, dim> {
 
 }  // namespace detail
 
-/// The classes that a formulation names, defaults included, one a line: " kernel: scree::WendlandC2". The models of
-/// Granular come last.
+/// Returns the classes that a formulation names, including defaults, one per line: " kernel: scree::WendlandC2". The
+/// models of Granular are last.
 template <class P>
 std::string parts_of() {
   using namespace detail;
@@ -69,7 +69,7 @@ std::string parts_of() {
          part<typename P::motion>("motion") + part<typename P::diagnostics>("diagnostics") +
          part<typename P::carries>("carries") + PartsOfPhysics<typename P::physics, P::dim>::text();
 }
-/// The classes that the formulation of a solver names.
+/// Returns the classes that the formulation of a solver names, including defaults, one per line.
 template <class S>
 std::string parts_of(S const&) {
   return parts_of<typename S::policy>();

@@ -10,8 +10,8 @@
 
 namespace scree::granular {
 
-/// Returns an updated stress to the yield surface and adds up the yielding for the filter. `Named` is the section of
-/// the models.
+/// Maps the updated stress of a particle to an admissible stress and accumulates the yielding for the filter. `Named`
+/// is the section named by the models.
 template <class Law, class Named, class OfFilter>
 struct Admit {
   Law law;
@@ -40,7 +40,7 @@ struct Admit {
   SCREE_FN static void keep_history(I const& i, O& out, Fields<Fs...>) {
     ((out[Fs{}] = i[Fs{}]), ...);
   }
-  /// A law may turn NaN into a number. The NaN is kept, so that the run stops.
+  /// Keeps values that are not finite, so that the run stops: a law may turn NaN into a number.
   template <class I, class O, class... Fs>
   SCREE_FN static void keep_what_is_not_finite(I const& i, O& out, Fields<Fs...>) {
     (keep(i, out, Fs{}), ...);

@@ -12,17 +12,17 @@
 #include <cmath>
 #include <string>
 
-// Material that turns as a rigid body: the plain velocity gradient finds strain in it.
+// Detection of material that rotates as a rigid body, in which the plain velocity gradient contains spurious strain.
 namespace scree {
 namespace granular {
 
-/// Volume, twice the kinetic energy over the density, shear rate, and first and second moments of position and
-/// velocity, about a centre that moves.
+/// Computes the contributions of a particle to the volume-weighted sums of 1, squared speed, shear rate, position and
+/// velocity, and the products of position and velocity with the position, all relative to a moving centre.
 template <int Dim>
 struct RotationSums {
   static constexpr int first = 3, second = first + 2 * Dim, count = second + 2 * Dim * Dim;
   using reads = Fields<Volume, Position, Velocity, ShearRate>;
-  Vec<2 * Dim, double> centre;  // its position (m) and velocity (m/s)
+  Vec<2 * Dim, double> centre;  // position (m) and velocity (m/s) of the centre
   template <class I>
   SCREE_FN Vec<count, double> operator()(I const& i) const {
     double const V = double(i[fields::volume]);
@@ -44,19 +44,20 @@ struct RotationSums {
 
 }  // namespace granular
 
-/// The rotation of a body as a whole, which has its angular momentum.
+/// The rigid rotation with the same angular momentum as a body.
 struct RigidRotation {
   double rate = 0;    ///< rad/s
-  double share = 0;   ///< of the kinetic energy about the centre, 0 to 1
+  double share = 0;   ///< share of the kinetic energy about the centre, 0 to 1
   double strain = 0;  ///< mean shear rate of the particles over `rate`, -
 };
-/// Measures the rotation of a body (WholeBody) whose particles have Volume, Position, Velocity and ShearRate; zeros if
-/// it does not turn. The sums are computed on the device.
+/// Returns the rotation of a body (WholeBody) whose particles have Volume, Position, Velocity and ShearRate; zeros if
+/// the body does not rotate. The sums are computed on the device.
 template <class... Of>
 [[gnu::cold]] RigidRotation rigid_rotation(WholeBody<Of...> const& body) {
   constexpr int dim = WholeBody<Of...>::policy::dim;
   using Sums = granular::RotationSums<dim>;
-  // The first sums give the centre to their rounding, the second ones are about it.
+  // The first pass computes the centre; the sums of the second pass are relative to this centre, which reduces rounding
+  // errors.
   Sums about{zero<Vec<2 * dim, double>>()};
   auto sums = zero<Vec<Sums::count, double>>();
   for (int pass = 0; pass < 2; ++pass) {
@@ -78,8 +79,8 @@ template <class... Of>
   if (!(rate > 0 && energy > 0)) return {};
   return {rate, dot(turn, momentum) / energy, sums[2] / sums[0] / rate};
 }
-/// The warning of a strain that is not zero in a rotation for material that turns as a rigid body at a time (s); empty
-/// for others, and until it could have turned by half a radian at that rate.
+/// Returns the warning that the strain is not zero in a rotation, for material that rotates as a rigid body at a time
+/// (s); empty for other motions, and while rate times time is at most half a radian.
 [[gnu::cold]] inline std::string warning_of_rotation(RigidRotation const& found, double time) {
   double const angle = found.rate * time;
   if (!(found.share > 0.9 && found.strain < 0.25 && angle > 0.5)) return "";

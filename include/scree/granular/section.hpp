@@ -9,13 +9,13 @@
 
 namespace scree {
 
-/// The section that a law needs: in space MatsuokaNakai if the law takes a section, as sand has it; in the plane, and
-/// for other laws, the surface as the law has it.
+/// The default section of the yield surface: in 3D MatsuokaNakai, the section of sand, if the law takes a section; in
+/// 2D, and for other laws, the yield surface of the law itself.
 struct SectionByLaw {};
 
 namespace granular {
 
-/// The section that the models of Granular name, in a number of dimensions.
+/// Selects the type of section_of.
 template <class Named, class Law, int dim>
 struct SectionOf {
   using type = Named;
@@ -24,16 +24,19 @@ template <class Law, int dim>
 struct SectionOf<SectionByLaw, Law, dim> {
   using type = std::conditional_t<TakesSection<Law> && dim == 3, MatsuokaNakai, CircularCone>;
 };
-/// The section of the yield surface of a granular model: `Named`, or the one that the law needs.
+/// The section of the yield surface of a granular model in `dim` dimensions: `Named`, or the default for the law if
+/// `Named` is SectionByLaw.
 template <class Named, class Law, int dim>
 using section_of = typename SectionOf<Named, Law, dim>::type;
 
-/// Whether a named section can act: CircularCone leaves every law as it is, others need a law that takes them.
+/// Whether a named section fits a law: CircularCone leaves every law as it is; other sections need a law that takes a
+/// section.
 template <class Named, class Law>
 inline constexpr bool section_fits =
     std::is_same_v<Named, SectionByLaw> || std::is_same_v<Named, CircularCone> || TakesSection<Law>;
 
-/// A point as a law sees it for a section; of the circular cone the point itself.
+/// Returns the point that is passed to a law for a section: the point itself for CircularCone, otherwise a
+/// PointOfSection.
 template <class S, class Point>
 SCREE_FN decltype(auto) at_section(Point const& point) {
   if constexpr (std::is_same_v<S, CircularCone>)

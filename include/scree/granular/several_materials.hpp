@@ -5,10 +5,10 @@
 #include "../laws/law.hpp"
 #include "strain.hpp"
 
-// For laws that differ between groups of particles, see laws/by_group.hpp.
+// Fields and bounds for laws that differ between groups of particles, see laws/by_group.hpp.
 namespace scree::granular {
 
-/// The density of a particle by its law.
+/// Computes the density of a particle from its law.
 template <class Law>
 struct DensityByLaw {
   Law law;
@@ -20,7 +20,7 @@ struct DensityByLaw {
   }
 };
 
-/// The distance of the group of a particle from the range 0 to `groups` - 1.
+/// Computes the distance of the group number of a particle from the range 0 to `groups` - 1.
 struct GroupOutside {
   int groups;
   using reads = Fields<Group>;

@@ -8,8 +8,8 @@
 #include "../solver/engine.hpp"
 #include "granular.hpp"
 
-// The solvers that the library scree::compiled has: those of Granular<> with the default choices of a formulation.
-// src/compiled/solvers.cpp makes them from this list.
+// The solvers that are compiled in the library scree::compiled: solvers of Granular<> with the default choices of a
+// formulation. src/compiled/solvers.cpp instantiates them from this list.
 #ifdef SCREE_COMPILED_LOOPS
 namespace scree::detail {
 template <class P>
@@ -35,7 +35,7 @@ using DefaultState = SolverState<DefaultChoices<P>>;
   INSTANCE Snapshot snapshot_of_state(DefaultState<P> const&);                                                      \
   INSTANCE void restore_state(DefaultState<P>&, Snapshot const&, std::string const&, std::function<void()> const&); \
   }
-// Single precision is for GPUs: on a CPU programs compile such solvers themselves.
+// Single precision is meant for GPUs: without CUDA, programs compile single-precision solvers themselves.
 #ifdef KOKKOS_ENABLE_CUDA
 #define SCREE_FOR_DEFAULT_SOLVERS SCREE_FOR_DEFAULT_BASES
 #else

@@ -9,40 +9,42 @@
 
 namespace scree {
 
-/// Which velocity gradient the stress follows: `corrected`, a constant, and optionally `objective`, another.
+/// The choice of the velocity gradient that the stress follows: a struct with a constant `corrected` and an optional
+/// constant `objective`, both bool.
 template <class S>
 concept StrainChoice = requires {
   { S::corrected } -> std::convertible_to<bool>;
 };
 
-/// The stress follows the plain velocity gradient, which is work-conjugate to the stress divergence: the stress stores
-/// the energy that it takes from the motion.
+/// Choice of strain in which the stress follows the plain velocity gradient, which is work-conjugate to the stress
+/// divergence: the stress stores the energy that it takes from the motion.
 struct PlainStrain {
   static constexpr bool corrected = false;
 };
-/// The stress follows the corrected gradient, which is exact for linear velocities. Among disordered particles the
-/// plain gradient has errors that act as friction in fast flows; the corrected one gives up energy consistency.
+/// Choice of strain in which the stress follows the corrected velocity gradient, which is exact for linear velocity
+/// fields. If particles are disordered, the plain gradient has errors that act as friction in fast flows; the corrected
+/// gradient avoids these errors but sacrifices energy consistency.
 struct CorrectedStrain {
   static constexpr bool corrected = true;
 };
 
-/// The stress follows the plain gradient without the spurious strain that it contains in a rotation: $L - W (A - 1)$ in
-/// place of L, with the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which is 1 where the support is full and
-/// the particles are not strained, and the rotation W whose plain gradient W A has the antisymmetric part of L. A body
-/// of soil can then rotate by any angle without spurious stress. The forces contain an antisymmetric stress, with which
-/// their power equals that of the stress on this strain (terms/antisymmetric_stress.hpp): momentum and energy are
-/// conserved as with PlainStrain, and so is the angular momentum of a free body.
+/// Choice of strain in which the stress follows the plain gradient without its spurious strain in a rotation: $L - W
+/// (A - 1)$ in place of L. The moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$ is the identity if the support is
+/// full and the particles are not strained. W is the rotation whose plain gradient W A has the same antisymmetric part
+/// as L. A body of soil can then rotate by any angle without spurious stress. The forces contain an antisymmetric
+/// stress, with which their power equals the power of the stress on this strain (terms/antisymmetric_stress.hpp).
+/// Momentum and energy are conserved as with PlainStrain, and the angular momentum of a free body is conserved, too.
 struct ObjectiveStrain {
   static constexpr bool corrected = false, objective = true;
 };
 
 namespace granular {
-/// A choice of strain that leaves out the strain which the plain gradient has in a rotation.
+/// Whether a choice of strain removes the spurious strain of the plain gradient in a rotation.
 template <class S>
 concept IsObjective = requires {
   requires S::objective;
 };
-/// The velocity gradient of a choice; `moment` is -A.
+/// Returns the velocity gradient for a choice of strain; `moment` is -A, see ObjectiveStrain.
 template <class Strain, class Matrix>
 SCREE_FN Matrix gradient_of(Matrix const& plain, Matrix const& corrected, [[maybe_unused]] Matrix const& moment) {
   if constexpr (Strain::corrected) {
@@ -54,8 +56,8 @@ SCREE_FN Matrix gradient_of(Matrix const& plain, Matrix const& corrected, [[mayb
     return plain;
   }
 }
-/// A particle as a law sees it where rates are computed: its shear rate belongs to the present state and is not the
-/// stored value.
+/// The point that is passed to a law when rates are computed: a particle with the shear rate of the present state in
+/// place of the stored one.
 template <class I, class Real>
 struct Strained {
   I const& i;
@@ -69,23 +71,23 @@ struct Strained {
   }
 };
 
-/// Fields of a particle that functions of a law may read.
+/// The fields of a particle that functions of a law may read.
 template <class Law>
 using point_of = Merge<reads_of<Law>, typename Law::history>;
 }  // namespace granular
 
-/// Computes the rates of one particle from the sums over neighbours: the rates of the stress and of the history
-/// by the law from the velocity gradient, and the shear rate from the corrected gradient, which a truncated support
-/// does not lower. The trace of the plain gradient is minus the rate of the number density, so that pressure and
-/// spacing stay consistent; with the corrected gradient only volume control keeps them so.
+/// Computes the rates of one particle from the sums over neighbours: the rates of stress and history, by the law from
+/// the velocity gradient, and the shear rate, from the corrected gradient, which a truncated support does not reduce.
+/// The trace of the plain gradient is minus the rate of the number density, so that pressure and spacing stay
+/// consistent; with the corrected gradient only volume control keeps them consistent.
 template <class Law, class Volume, class Strain = PlainStrain, class Also = Fields<>>
 struct StrainRates {
   Law law;
   Volume volume_control;
   double phi_at_rest;           ///< number density of the initial lattice, -
-  double asymmetry_at_surface;  ///< of a particle on a plane surface, -
+  double asymmetry_at_surface;  ///< asymmetry of a particle on a plane surface, -
   double h = 0;                 ///< smoothing length, m
-  double step = 0;              ///< s, over which the rates are added; 0: none
+  double step = 0;              ///< time step over which the rates are integrated, s; 0: none
 
   using sums = std::conditional_t<Volume::active, Fields<NumberDensity, Asymmetry>, Fields<>>;
   using reads = Merge<Fields<Stress>, Without<granular::point_of<Law>, Fields<ShearRate>>>;
@@ -115,13 +117,14 @@ struct StrainRates {
   }
 
  private:
-  /// The stress turned by half of the rotation of the step. Its rate of rotation leaves the invariants of the stress to
-  /// fourth order of the step, that of the stress itself to second.
+  /// Returns the stress rotated by half of the rotation in the step. A step with the rate of rotation of this stress
+  /// keeps the invariants of the stress to fourth order in the step, a step with the rate of rotation of the stress
+  /// itself to second order only.
   template <class Real>
   SCREE_FN StressTensor<Real> turned_by_half(StressTensor<Real> const& sigma, Mat<3, Real> const& L) const {
     return sigma + Real(step / 2) * rate_of_rotation(sigma, L);
   }
-  /// dp/d(gamma) by volume control, Pa.
+  /// Returns the change of the pressure per shear strain by volume control, dp/d(gamma), Pa.
   template <class Real, class Point, class T>
   SCREE_FN Real pressure_per_strain(StressTensor<Real> const& sigma, Point const& point, T const& total) const {
     using namespace fields;

@@ -11,22 +11,22 @@
 #include <tuple>
 #include <type_traits>
 
-// Each particle integrates its own stress, and the stresses of neighbours drift apart. A filter prevents this: a list
-// of passes that runs at the end of every period-th step. See docs/theory/granular.md.
+// Each particle integrates its own stress, and the stresses of neighbouring particles drift apart. A stress filter, a
+// list of passes that runs at the end of every period-th step, prevents this drift. See docs/theory/granular.md.
 namespace scree {
 
-/// Yielding since the last filtering: the sum of the reductions of $\sqrt{J_2}$ by the law, divided by the bulk
-/// modulus. It equals the plastic shear strain times G/K.
+/// Yielding of a particle since the last filtering: the sum of the reductions of $\sqrt{J_2}$ by the law, divided by
+/// the bulk modulus. The yielding equals the plastic shear strain times G/K.
 struct Yielding : Scalar<"yielding since the last filter", "1"> {};
 
 namespace fields {
 inline constexpr Yielding yielding{};
 }  // namespace fields
 
-/// A filter of the stress:
-///   period    steps from one run of it to the next, 1 or more; Granular checks it
-///   history   fields that accumulate between runs: Yielding, or none
-///   passes()  tuple of passes
+/// A stress filter is a struct with these members:
+///   period    number of steps from one run of the filter to the next, 1 or more; checked by Granular
+///   history   fields that accumulate between runs: Fields<Yielding> or Fields<>
+///   passes()  tuple of passes of the filter
 template <class F>
 concept StressFilter = requires(F const& filter) {
   typename F::history;
@@ -35,7 +35,7 @@ concept StressFilter = requires(F const& filter) {
   std::tuple_size<decltype(filter.passes())>::value;
 };
 
-/// No filter: the stress stays that of the constitutive law.
+/// The stress filter that leaves the stress of the constitutive law unchanged.
 struct NoFilter {
   int period = 1;
   using history = Fields<>;
@@ -53,8 +53,9 @@ struct TakeSmoothedStress {
 };
 }  // namespace detail
 
-/// $\sigma_i = \sum_j \sigma_j V_j W_{ij}/\sum_j V_j W_{ij}$: Zhu et al. (2024), eq. 3.12. One-sided at boundaries of
-/// the material, where it reduces the load on the lowest rows, so that a bed creeps.
+/// Stress filter by the Shepard mean, $\sigma_i = \sum_j \sigma_j V_j W_{ij}/\sum_j V_j W_{ij}$: Zhu et al. (2024), eq.
+/// 3.12. At boundaries of the material the mean is one-sided and reduces the load on the lowest rows, so that a bed
+/// creeps.
 struct ShepardFilter {
   int period = 30;
   using history = Fields<>;
@@ -71,18 +72,18 @@ struct ShepardFilter {
 
 namespace linear_filter {
 
-/// $\sum_j V_j W_{ij} b b^T$ with $b = (1, x_{ij}/h)$.
+/// The moments of the kernel, $\sum_j V_j W_{ij} b b^T$ with $b = (1, x_{ij}/h)$.
 struct Moments : Labelled<"moments of the kernel", "1"> {
   template <int Dim, class Real>
   using value = Mat<Dim + 1, Real>;
 };
-/// $\sum_j V_j W_{ij} b \sigma_j^T$.
+/// The moments of the stress, $\sum_j V_j W_{ij} b \sigma_j^T$ with $b = (1, x_{ij}/h)$.
 struct StressMoments : Labelled<"moments of the stress", "Pa"> {
   template <int Dim, class Real>
   using value = Small<Real, Dim + 1, symmetric3_size<Dim>>;
 };
 
-/// The sums over neighbours from which a plane is fitted to the stress.
+/// Pair term for the sums over neighbours for the fit of a linear function to the stress.
 struct Sums {
   using reads = Fields<Volume, Stress>;
   using adds = Fields<Moments, StressMoments>;
@@ -99,7 +100,7 @@ struct Sums {
   }
 };
 
-/// Particles that have yielded.
+/// Condition that a particle has yielded since the last filtering.
 struct Yielded {
   using reads = Fields<Yielding>;
   template <class I>
@@ -108,8 +109,8 @@ struct Yielded {
   }
 };
 
-/// Moves the stress towards the fitted value at the particle itself. A particle keeps its stress if no plane can be
-/// fitted to its neighbours.
+/// Moves the stress of a particle towards the fitted value at its position. A particle keeps its stress if no linear
+/// function can be fitted to its neighbours.
 struct Fit {
   double full_at;
   using reads = Fields<Stress, Yielding>;
@@ -131,7 +132,7 @@ struct Fit {
   }
 };
 
-/// Replaces the stress by the fitted one and sets the yielding to zero.
+/// Replaces the stress of a particle by the smoothed stress and sets its yielding to zero.
 struct TakeFittedStress {
   using reads = Fields<Smoothed<Stress>>;
   using writes = Fields<Stress, Yielding>;
@@ -145,10 +146,10 @@ struct TakeFittedStress {
 
 }  // namespace linear_filter
 
-/// Moves the stress towards the value at x_i of a linear function fitted to the stress of the neighbours with weights
-/// $V_j W_{ij}$, in proportion to the yielding since the last filtering, and replaces it by that value if the yielding
-/// is `full_at` or more. The stress of material that does not yield is unchanged, so every equilibrium persists, not
-/// only those in which the stress is linear in the position.
+/// Stress filter that moves the stress of a particle towards the value at x_i of a linear function fitted to the stress
+/// of the neighbours with weights $V_j W_{ij}$. The change is proportional to the yielding since the last filtering; if
+/// the yielding is `full_at` or more, the fitted value replaces the stress. The stress of material that does not yield
+/// is unchanged, so every equilibrium persists, even if the stress is not linear in the position.
 struct LinearFilter {
   int period = 30;
   double full_at = 1e-4;

@@ -9,7 +9,7 @@
 // Quantities that bound the validity of a granular model.
 namespace scree::granular {
 
-/// The speed of sound at a particle, m/s, for a law of constant stiffness.
+/// Computes the speed of sound at a particle, m/s, for a law of constant stiffness.
 struct ConstantSpeed {
   double speed;
   using reads = Fields<>;
@@ -18,7 +18,7 @@ struct ConstantSpeed {
     return speed;
   }
 };
-/// The speed of sound at a particle, m/s, for any law.
+/// Computes the speed of sound at a particle, m/s, for any law.
 template <class Law>
 struct SpeedOfState {
   Law law;
@@ -29,7 +29,7 @@ struct SpeedOfState {
   }
 };
 
-/// Speed over the speed of sound.
+/// Computes the Mach number of a particle: its speed over the speed of sound.
 template <class SoundSpeed>
 struct MachNumber {
   SoundSpeed sound_speed;
@@ -40,7 +40,7 @@ struct MachNumber {
   }
 };
 
-/// The number density over that at rest.
+/// Computes the number density of a particle over the number density at rest.
 struct NumberRatio {
   double at_rest;
   using reads = Fields<NumberDensity>;

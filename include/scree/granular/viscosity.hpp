@@ -12,11 +12,11 @@
 
 namespace scree {
 
-/// An artificial viscosity, as a value:
-///   computes                  Fields<StrainRate> if its terms read the strain rate of the material, otherwise Fields<>
+/// An artificial viscosity is a struct with these members:
+///   computes                  Fields<StrainRate> if the terms read the strain rate of the material, otherwise Fields<>
 ///   terms<Body>(rho, speed)   tuple of pair terms over the particles of a body, each of which adds to `acceleration`;
 ///                             `speed` is alpha c_s, m/s
-/// where rho is the density, see terms/density.hpp.
+/// Here rho is the density, see terms/density.hpp.
 template <class V>
 concept ViscosityScheme = requires(V const& viscosity, UniformDensity const& rho) {
   typename V::computes;
@@ -25,8 +25,8 @@ concept ViscosityScheme = requires(V const& viscosity, UniformDensity const& rho
   std::tuple_size<decltype(viscosity.template terms<Wall>(rho, 1.0))>::value;
 };
 
-/// The viscosity of Monaghan (1992), eq. 3.10 of Zhu et al. (2024). It acts on all approaching pairs, so that it adds
-/// to the friction of a flow, see effective_viscosity().
+/// The artificial viscosity of Monaghan (1992), eq. 3.10 of Zhu et al. (2024). This viscosity acts on all approaching
+/// pairs and therefore adds to the friction of a flow, see effective_viscosity().
 struct PlainViscosity {
   using computes = Fields<>;
   template <BodyTag Body, class Rho>
@@ -35,8 +35,9 @@ struct PlainViscosity {
   }
 };
 
-/// PlainViscosity minus the part that a linear velocity field explains (terms/residual_viscosity.hpp). It acts on
-/// disorder, not on the mean shear, and keeps the rows of steady flows in order. Walls have the plain viscosity.
+/// PlainViscosity minus the contribution of a linear velocity field (terms/residual_viscosity.hpp). This viscosity acts
+/// on disorder, not on the mean shear, and keeps the particle rows of steady flows in order. Sums over walls use
+/// PlainViscosity.
 struct ResidualViscosity {
   using computes = Fields<StrainRate>;
   template <BodyTag Body, class Rho>

@@ -7,13 +7,14 @@
 
 #include <concepts>
 
-// Volume control keeps the pressure consistent with the spacing of the particles. See docs/theory/granular.md.
+// Volume control keeps the pressure consistent with the particle spacing. See docs/theory/granular.md.
 namespace scree {
 
-/// $\sum_j V_j W_{ij}$ over material and walls, the particle itself included; 1 where particles are as dense as at the
-/// start.
+/// The number density $\sum_j V_j W_{ij}$ over material and walls, including the particle itself; 1 if the particles
+/// are as dense as at the start.
 struct NumberDensity : Scalar<"number density", "1"> {};
-/// $h \sum_j V_j \nabla W_{ij}$ over material and walls: points towards the particles, 0 inside.
+/// The asymmetry of the neighbours, $h \sum_j V_j \nabla W_{ij}$ over material and walls: it points towards the
+/// particles and is 0 inside the material.
 struct Asymmetry : Vector<"asymmetry of the neighbours", "1"> {};
 
 namespace fields {
@@ -21,7 +22,7 @@ inline constexpr NumberDensity number_density{};
 inline constexpr Asymmetry asymmetry{};
 }  // namespace fields
 
-/// The sums for the number density and the asymmetry of the neighbours.
+/// Pair term for the sums for the number density and the asymmetry of the neighbours.
 struct NumberDensitySum {
   using reads = Fields<Volume>;
   using adds = Fields<NumberDensity, Asymmetry>;
@@ -35,21 +36,23 @@ struct NumberDensitySum {
   }
 };
 
-/// A volume control that depends on the rate of flow, see VolumeControl.
+/// Whether a volume control depends on the rate of flow, see VolumeControl.
 template <class V>
 concept ControlOfFlow = requires(V const& control) {
   { control.pressure_per_strain(1.0, 1.0, 0.0, 0.0) } -> std::same_as<double>;
   { control.pressure_per_strain(1.0f, 1.0f, 0.0f, 0.0f) } -> std::same_as<float>;
 };
-/// A volume control, as a value:
-///   active                               whether there is a volume control, a constant
+/// A volume control is a struct with these members:
+///   active                               constant: whether the pressure is controlled at all
 ///   pressure_per_strain(p, K, denser)    the change of the pressure per shear strain, Pa, from the pressure p (Pa),
-///                                        the bulk modulus K (Pa) and the compactness above that at the start, see
-///                                        compactness(); only where there is one
+///                                        the bulk modulus K (Pa) and the excess `denser` of the compactness over its
+///                                        value at the start, see compactness(); only if `active` is true
 /// or, in its place,
-///   pressure_per_strain(p, K, denser, sheared)    with the shear strain while sound passes h, gamma_dot h/c_s
+///   pressure_per_strain(p, K, denser, sheared)    the change of the pressure per shear strain, Pa, from p, K, `denser`
+///                                                 and the shear strain `sheared` in the time in which sound travels h,
+///                                                 gamma_dot h/c_s
 /// and optionally
-///   needs_memory                         whether Granular evolves the stress by VolumeMemory<law>, a constant
+///   needs_memory                         constant: whether Granular evolves the stress by VolumeMemory<law>
 template <class V>
 concept VolumeControl = requires {
   { V::active } -> std::convertible_to<bool>;
@@ -59,29 +62,31 @@ concept VolumeControl = requires {
   { control.pressure_per_strain(1.0f, 1.0f, 0.0f) } -> std::same_as<float>;
 });
 
-/// A volume control that acts on the gaps that VolumeMemory remembers.
+/// Whether a volume control acts on the gaps stored by VolumeMemory.
 template <class V>
 concept NeedsMemory = requires {
   requires V::needs_memory;
 };
 
-/// As in Zhu et al. (2024): the pressure follows from the rate of volume alone.
+/// The volume control that does nothing, as in Zhu et al. (2024): the pressure follows from the volumetric strain rate
+/// alone.
 struct NoVolumeControl {
   static constexpr bool active = false;
 };
 
-/// The number density phi corrected for a support that a surface cuts off. At a plane surface both the missing part, 1
-/// - Phi, and the asymmetry, W1, follow from the distance to it, and the ratio of asymmetry and phi, W1/Phi, gives this
-/// distance for any particle density. `at_surface` is the largest asymmetry, W1(0). With $y = 1 - \sqrt{1 -
-/// W_1/W_1(0)}$ the fit 1 - Phi = y (0.19 + 2.283 y)/(1 + 3.946 y) is within 0.005 of the integrals of Wendland's C2 in
-/// 2D and 3D.
+/// Returns the compactness: the number density phi corrected for a support that is truncated by a surface. At a plane
+/// surface both the missing part, 1 - Phi, and the asymmetry, W1, are functions of the distance to the surface, and the
+/// ratio of asymmetry to phi, W1/Phi, determines this distance for any particle density. `at_surface` is the largest
+/// asymmetry, W1(0). With $y = 1 - \sqrt{1 - W_1/W_1(0)}$ the fit 1 - Phi = y (0.19 + 2.283 y)/(1 + 3.946 y) is within
+/// 0.005 of the integrals of the Wendland C2 kernel in 2D and 3D.
 template <class Real>
 SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
-  // A ratio of 2 or more does not come from a plane surface.
+  // A ratio of 2 or more cannot result from a plane surface.
   if (!(asymmetry_of_phi < 2 * at_surface * phi)) return 2 * phi;
   Real const ratio = asymmetry_of_phi / (at_surface * phi);
   Real const a = Real(0.19), b = Real(2.283), c = Real(3.946);
-  // W1/W1(0) = y (2 - y) = ratio Phi(y), a cubic in y; three Newton steps from ratio/2 leave only rounding errors.
+  // W1/W1(0) = y (2 - y) = ratio Phi(y) is a cubic in y; three Newton iterations from ratio/2 leave only rounding
+  // errors.
   Real y = ratio / 2;
   for (int iteration = 0; iteration < 3; ++iteration) {
     Real const error = y * (2 - y) * (1 + c * y) - ratio * (1 + (c - a - b * y) * y);
@@ -90,9 +95,9 @@ SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
   return phi / (1 - y * (a + b * y) / (1 + c * y));
 }
 
-/// Relaxes the pressure towards the value that belongs to the compactness, p = K (phi - phi_0), over a shear strain of
-/// 1/`per_strain`: where grains rearrange, the pressure follows the present packing instead of the strain history;
-/// without shear nothing is added.
+/// Volume control that relaxes the pressure towards p = K (phi - phi_0), the value that belongs to the compactness,
+/// over a shear strain of 1/`per_strain`. If grains rearrange, the pressure follows the present packing instead of the
+/// strain history; without shear the pressure is not changed.
 struct VolumeConsistency {
   static constexpr bool active = true;
   double per_strain = 1;

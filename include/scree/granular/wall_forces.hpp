@@ -14,10 +14,10 @@ concept GivesWallForces = requires(Physics const& physics) {
 };
 }  // namespace detail
 
-/// Diagnostics of a granular formulation: after Solver::update_diagnostics() the walls carry `wall_force` (N) for the
-/// present state.
+/// Diagnostics of a granular formulation: Solver::update_diagnostics() computes the field `wall_force` (N) of the walls
+/// for the present state.
 struct WallForces {
-  /// The passes of the physics model that compute `wall_force`.
+  /// Returns the passes of the physics model that compute `wall_force`.
   template <class Physics>
   auto passes(Resolution const& resolution, Physics const& physics) const {
     constexpr bool has_passes = detail::GivesWallForces<Physics>;

@@ -12,7 +12,7 @@
 
 namespace scree {
 
-/// Acceleration by WallGuard.
+/// Acceleration of a particle by WallGuard.
 struct GuardAcceleration : Vector<"guard acceleration", "m/s^2"> {};
 
 namespace fields {
@@ -21,7 +21,7 @@ inline constexpr GuardAcceleration guard_acceleration{};
 
 namespace detail {
 
-/// $\sum_j V_j W_{ij} u_j$ over walls.
+/// The kernel-weighted sum of wall velocities, $\sum_j V_j W_{ij} u_j$.
 struct WallMotion : Vector<"wall motion", "m/s"> {};
 struct WallMotionSum {
   using reads = Fields<Volume, Velocity>;
@@ -34,7 +34,7 @@ struct WallMotionSum {
   }
 };
 
-/// Out of the wall, where its share of the support is above `from`.
+/// Computes the acceleration out of the wall for particles in whose support the share of walls exceeds `from`.
 struct PushOut {
   double speed, from, spacing;  // m/s, -, m
   using reads = Fields<Velocity>;
@@ -56,20 +56,21 @@ struct PushOut {
 
 }  // namespace detail
 
-/// A force on a material that keeps single grains from passing through walls with steps: rows of wall particles on a
-/// lattice along an inclined or curved surface. Stress follows from strain, so that a grain without neighbours that
-/// slides over steps may lose its pressure at each of them and sink. This force depends on the position: where walls
-/// have more than the share `from` of the support, it acts out of them, like a damped spring,
+/// A force on a material that keeps single particles from passing through stepped walls: rows of wall particles on a
+/// lattice along an inclined or curved surface. Stress follows from strain, so a particle without neighbours that
+/// slides over steps may lose its pressure at each step and sink into the wall. The force of the guard depends on the
+/// position: if the share of walls in the support exceeds `from`, it acts out of the wall like a damped spring,
 ///   a = speed/spacing (speed (share - from) + approach),
-/// and stops grains that hit a wall at up to about half of `speed`: give twice their largest speed, or leave it out for
-/// the speed of sound, which the step resolves; above that it may shake grains. On a plane the share is 0.33 at half a
-/// spacing from the wall, 0.5 in the plane and 0.7 at 0.4 spacings within; in an edge between two planes 0.55 and in a
-/// corner 0.7, at half a spacing from each. It is not part of `wall_force`.
+/// and stops particles that hit a wall at up to about half of `speed`. Set `speed` to twice the largest speed of such
+/// particles, or leave it out to use the speed of sound, which the time step resolves; with a larger value particles
+/// may oscillate. Next to a plane wall the share is 0.33 at half a spacing from the wall, 0.5 in the plane of the wall
+/// and 0.7 at 0.4 spacings inside the wall. At half a spacing from each plane, it is 0.55 in an edge between two planes
+/// and 0.7 in a corner. The force of the guard is not part of `wall_force`.
 struct WallGuard {
-  double speed = 0;   // m/s; 0: the speed of sound of a law of constant stiffness
+  double speed = 0;   // m/s; 0: speed of sound of a law of constant stiffness
   double from = 0.7;  // -
 
-  /// Returns this guard with the speed of sound c (m/s) as its speed, unless a speed was given.
+  /// Returns this guard with `speed` set to the speed of sound c (m/s), unless a speed was given.
   WallGuard with_sound_speed(double c) const { return {speed == 0 ? c : speed, from}; }
 
   static constexpr auto parameters() {
@@ -82,13 +83,13 @@ struct WallGuard {
   /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "WallGuard"); }
   using reads = Fields<GuardAcceleration>;
-  /// The pass over the walls near each particle that computes `guard_acceleration`.
+  /// Returns the pass that computes `guard_acceleration` from sums over the walls near each particle.
   template <class Rho>
   auto passes(Rho const&, Resolution const& resolution) const {
     return std::tuple(pair_pass_then<Material>("scree::wall_guard", detail::PushOut{speed, from, resolution.spacing},
                                                over<Wall>(KernelSums<Wall>{}, detail::WallMotionSum{})));
   }
-  /// The acceleration of a particle by the guard, m/s^2.
+  /// Returns the acceleration of a particle by the guard, m/s^2.
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
     return i[fields::guard_acceleration];

@@ -8,9 +8,9 @@
 
 namespace scree {
 
-/// The largest `cfl` of granular mechanics, the step over h/c_s, that an integrator allows: its member `largest_cfl`.
-/// For integrators without this member it is 1 if they are staggered, as for SymplecticEuler, and otherwise 0.3, as for
-/// Midpoint.
+/// Returns the largest `cfl` of granular mechanics, the time step over h/c_s, that an integrator allows. The value is
+/// the member `largest_cfl` of the integrator or, without this member, 1 for staggered integrators such as
+/// SymplecticEuler and 0.3 for others such as Midpoint.
 template <class Integrator>
 constexpr double largest_cfl() {
   if constexpr (requires { double(Integrator::largest_cfl); })
@@ -23,8 +23,8 @@ constexpr double largest_cfl() {
 
 namespace detail {
 
-/// Throws std::invalid_argument for a cfl above the largest one of an integrator. Physics models without
-/// `acoustic_cfl()` have no such number.
+/// Throws std::invalid_argument if the cfl is above the largest one that an integrator allows. Physics models without
+/// `acoustic_cfl()` have no cfl to check.
 [[gnu::cold]] inline void check_cfl(double cfl, double largest, std::string const& integrator) {
   check_setting(
       cfl <= largest, "cfl (-)", cfl,

@@ -22,7 +22,7 @@ struct MidpointPredictor<P, Fields<Fs...>> {
   }
 
  private:
-  /// The remainders keep their values of the beginning of the step.
+  /// Predicts a field. Remainders keep their values from the beginning of the step.
   template <class Entry, class I, class O>
   SCREE_FN void start(I const& i, O& out) const {
     using F = evolved_field<Entry>;
@@ -59,19 +59,21 @@ struct rates_and_previous<Fields<Fs...>> {
 
 }  // namespace detail
 
-/// Second-order predictor-corrector for all evolved fields of a formulation (Zhu et al. 2024, eqs 3.17 and 3.18, the
-/// first with half a step): $X^{n+1/2} = X^n + \tfrac{1}{2} dt\, \Gamma^n$, $X^{n+1} = X^n + dt\, \Gamma^{n+1/2}$.
+/// The second-order predictor-corrector scheme for all evolved fields of a formulation (Zhu et al. 2024, eqs 3.17 and
+/// 3.18, eq. 3.17 with half a step): $X^{n+1/2} = X^n + \tfrac{1}{2} dt\, \Gamma^n$, $X^{n+1} = X^n + dt\,
+/// \Gamma^{n+1/2}$.
 struct Midpoint {
   static constexpr char const* name = "Midpoint";
-  /// An elastic wave of frequency omega grows by $\sqrt{1 + (\omega dt)^4/4}$ per step, which viscosity must outweigh.
-  /// A bed at rest with the default viscosity and filter (`tests/integrators/largest_cfl.cpp`): fastest particle 0.7
-  /// mm/s at cfl 0.2, 1.6 mm/s at 0.3, 26 mm/s at 0.4, 0.14 m/s at 0.5; from 0.7 on the bed swells.
+  /// The largest cfl. An elastic wave of frequency omega grows by $\sqrt{1 + (\omega dt)^4/4}$ per step, which
+  /// viscosity must offset. In a bed at rest with the default viscosity and filter
+  /// (`tests/integrators/largest_cfl.cpp`), the speed of the fastest particle is 0.7 mm/s at cfl 0.2, 1.6 mm/s at 0.3,
+  /// 26 mm/s at 0.4 and 0.14 m/s at 0.5; from cfl 0.7 on, the bed swells.
   static constexpr double largest_cfl = 0.3;
-  /// The fields that the integrator needs in order to advance a list of evolved fields.
+  /// The fields that the integrator needs to advance a list of evolved fields.
   template <class Evolved>
   using fields = typename detail::rates_and_previous<Evolved>::type;
 
-  /// One step of at most `longest` (s); returns its length.
+  /// Advances the state by one step of at most `longest` (s), and returns its length (s).
   template <class Stepper>
   static double advance(Stepper& stepper, double longest) {
     using P = basis_of<typename Stepper::policy>;

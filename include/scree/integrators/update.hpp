@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// Adds `step` times $dX/dt$ to each field X of a list, in order. A rate that is itself in the list is used after its
-/// own update: Fields<Velocity, Position> moves positions with the new velocity.
+/// A function of one particle that adds `step` times $dX/dt$ to each field X of a list, in order. A rate that is itself
+/// in the list is used after its own update, so Fields<Velocity, Position> moves positions with the new velocity.
 template <class P, class Evolved>
 struct StaggeredUpdate;
 template <class P, class... Fs>
@@ -38,7 +38,7 @@ struct StaggeredUpdate<P, Fields<Fs...>> {
   }
 };
 
-/// Returns the StaggeredUpdate of a list over `step` (s).
+/// Returns the StaggeredUpdate of a list of fields over `step` (s).
 template <class P, class Evolved>
 StaggeredUpdate<P, Evolved> staggered_update(Evolved, double step) {
   return {typename detail::time_for<P, Evolved>::type(step)};

@@ -9,22 +9,22 @@
 
 namespace scree {
 
-/// Kick, drift, kick, with one evaluation of each pass per step (Swope et al. 1982): $u^{n+1/2} = u^n + \tfrac{1}{2}
-/// dt\, a^n$, $x^{n+1} = x^n + dt\, u^{n+1/2}$, $u^{n+1} = u^{n+1/2} + \tfrac{1}{2} dt\, a^{n+1}$. The last stage of
-/// the physics model must evolve velocity and position. Earlier stages, for instance that of the stress, are advanced
-/// with the positions after half the drift, which makes them second-order as well. Velocity-dependent terms of the last
-/// stage (viscosity) use u^{n+1/2}. $a^n$ is the acceleration that was computed in the preceding step, so a change of
-/// the stress by a filter takes effect in the second kick only.
+/// The velocity Verlet scheme (kick, drift, kick) with one evaluation of each pass per step (Swope et al. 1982):
+/// $u^{n+1/2} = u^n + \tfrac{1}{2} dt\, a^n$, $x^{n+1} = x^n + dt\, u^{n+1/2}$, $u^{n+1} = u^{n+1/2} + \tfrac{1}{2}
+/// dt\, a^{n+1}$. The last stage of the physics model must evolve velocity and position. Earlier stages, for instance
+/// the stage of the stress, are advanced with the positions after half the drift, which makes them second-order as
+/// well. Velocity-dependent terms of the last stage (viscosity) use u^{n+1/2}. $a^n$ is the acceleration that was
+/// computed in the preceding step, so a change of the stress by a filter takes effect only in the second kick.
 struct VelocityVerlet {
   static constexpr char const* name = "VelocityVerlet";
-  /// The same as for SymplecticEuler.
+  /// The largest cfl, the same as for SymplecticEuler.
   static constexpr double largest_cfl = 1;
   static constexpr bool staggered = true;
-  /// The fields that the integrator needs in order to advance a list of evolved fields.
+  /// The fields that the integrator needs to advance a list of evolved fields.
   template <class Evolved>
   using fields = Merge<evolved_fields<Evolved>, rates_of_evolved<Evolved>>;
 
-  /// One step of at most `longest` (s); returns its length.
+  /// Advances the state by one step of at most `longest` (s), and returns its length (s).
   template <class Stepper>
   static double advance(Stepper& stepper, double longest) {
     if (stepper.steps() == 0) stepper.update_rates();

@@ -13,25 +13,26 @@ namespace scree {
 ///     solver.run(end, {every<S>(interval, [&](S& now) { output.append(now); })});
 ///
 /// Names, components and units (attribute `units`) follow from the fields; see point_data_of() for what is written.
-/// Numbers are stored in the precision of the formulation. All bodies are in one file, so that they have the same times
-/// and scales of colour; ParaView's Threshold of `body` shows one of them.
+/// Numbers are stored in the precision of the formulation. All bodies are in one file and therefore share their times
+/// and colour scales; ParaView's Threshold filter on `body` selects one of them.
 template <class List, class BodyList = Bodies<Material>>
 class BodySeries {
   static_assert(detail::is_list_of_fields<List>, "the fields of an output are a list: Fields<Velocity, Stress>{}");
   static_assert(detail::is_list_of_bodies<BodyList>, "the bodies of an output are a list: Bodies<Material, Wall>{}");
 
  public:
-  /// Creates the file as VtkHdfSeries does. Bodies<Material, Wall>{} adds the walls.
+  /// Creates the file, like the constructor of VtkHdfSeries. Bodies<Material, Wall>{} adds the walls.
   BodySeries(std::filesystem::path path, List, BodyList = {}, VtkHdfOptions options = {})
       : series_(std::move(path), std::move(options)) {}
-  /// Continues a series after a restart: returns a series that begins with the content of the file `from`, which may be
-  /// the same file, up to a time (s); see VtkHdfSeries::continued(). Throws as that does.
+  /// Returns a series that continues after a restart: it begins with the steps of the file `from` (which may be the
+  /// same file) up to `time` (s). Throws as VtkHdfSeries::continued() does.
   static BodySeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                               VtkHdfOptions options = {}) {
     return {Earlier{from, time}, std::move(path), std::move(options)};
   }
 
-  /// Adds the present state. Fields that no body carries do not compile. Throws as VtkHdfSeries::append() does.
+  /// Appends the current state. A field that no body carries is a compile-time error. Throws as VtkHdfSeries::append()
+  /// does.
   template <class S>
   void append(S& solver) {
     ProfilingRegion const region("scree::output");
@@ -39,9 +40,9 @@ class BodySeries {
       series_.append(point_data_of(solver, List{}, BodyList{}));
   }
 
-  /// The number of states in the file.
+  /// Returns the number of states in the file.
   std::size_t steps() const { return series_.steps(); }
-  /// The file that is written.
+  /// Returns the path of the file.
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:

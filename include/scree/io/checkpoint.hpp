@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "checkpoint_snapshot.hpp"
 
 // A checkpoint is a snapshot in an HDF5 file, sealed with its size and a checksum. See docs/checkpoint.md.
 namespace scree {
 
-/// The file in which write_checkpoint() keeps the previous checkpoint: "out/checkpoint.h5" ->
+/// Returns the path at which write_checkpoint() keeps the previous checkpoint: "out/checkpoint.h5" ->
 /// "out/checkpoint.previous.h5".
 inline std::filesystem::path previous_checkpoint(std::filesystem::path const& path) {
   auto const name = path.stem().string() + ".previous" + path.extension().string();
@@ -33,7 +33,7 @@ auto with_file_named(std::filesystem::path const& path, char const* what, Action
   throw std::runtime_error(fmt::format("{}: cannot {}: {}", path.string(), what, cause));
 }
 
-/// Refuses what is no regular file: opening a pipe would block.
+/// Throws hdf5::Failure if a path exists and is not a regular file: opening a pipe would block.
 inline void check_regular(std::filesystem::path const& path) {
   if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
     throw hdf5::Failure("it is not a regular file");
@@ -41,7 +41,7 @@ inline void check_regular(std::filesystem::path const& path) {
 
 inline std::filesystem::path with_suffix(std::filesystem::path path, char const* suffix) { return path += suffix; }
 
-/// A temporary file, which is deleted unless it has been renamed to its final name.
+/// A temporary file that is deleted unless it has been renamed to its final name.
 struct TemporaryFile {
   std::filesystem::path path;
   explicit TemporaryFile(std::filesystem::path const& whole) : path(with_suffix(whole, ".part")) {}
@@ -53,22 +53,22 @@ struct TemporaryFile {
   }
 };
 
-/// Gives a file a second name, so that at no time it is without its own; where the file system has no hard links,
-/// another name.
+/// Gives a checkpoint the name previous_checkpoint() by a hard link, so that its own name never disappears. On a file
+/// system without hard links, renames the checkpoint.
 inline void keep_as_previous(std::filesystem::path const& path) {
   auto const previous = previous_checkpoint(path);
   TemporaryFile const link(previous);
   std::error_code without_links;
-  std::filesystem::remove(link.path);  // of a run that was killed here
+  std::filesystem::remove(link.path);  // left by a run that was killed here
   std::filesystem::create_hard_link(path, link.path, without_links);
   std::filesystem::rename(without_links ? path : link.path, previous);
 }
 
 }  // namespace detail
 
-/// Replaces a checkpoint by a newer one; the older is kept as previous_checkpoint(). At any time, also if the program
-/// is killed or the disk is full, at least one of the two is complete. The directory must exist. Throws
-/// std::runtime_error with the file and the reason. Writes nothing on ranks other than the first (core/this_rank.hpp).
+/// Replaces a checkpoint with a newer one and keeps the older one as previous_checkpoint(). At any time, even if the
+/// program is killed or the disk is full, at least one of the two is complete. The directory must exist. Throws
+/// std::runtime_error with the file and the reason. Does nothing on ranks other than the first (core/writes_files.hpp).
 inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& snapshot) {
   if (!writes_files()) return;
   detail::with_file_named(path, "write the checkpoint", [&] {
@@ -83,8 +83,8 @@ inline void write_checkpoint(std::filesystem::path const& path, Snapshot const& 
   });
 }
 
-/// The snapshot in a checkpoint. Throws std::runtime_error with the file and the reason if it is damaged or no
-/// checkpoint of this format; then the previous one, if there is one, may serve.
+/// Returns the snapshot in a checkpoint. Throws std::runtime_error with the file and the reason if the file is damaged
+/// or is not a checkpoint of this format; the previous checkpoint, if there is one, may then be used instead.
 inline Snapshot read_checkpoint(std::filesystem::path const& path) {
   return detail::with_file_named(path, "read the checkpoint", [&] {
     detail::check_regular(path);

@@ -9,7 +9,7 @@
 
 namespace scree::detail {
 
-/// Table k advances the checksum over a byte that is followed by k more.
+/// Returns the lookup tables of the checksum: table k advances it over a byte that is followed by k more bytes.
 constexpr std::array<std::array<std::uint64_t, 256>, 8> crc64_tables() {
   constexpr std::uint64_t polynomial = 0xC96C5795D7870F42;  // ECMA-182, reflected
   std::array<std::array<std::uint64_t, 256>, 8> tables{};
@@ -24,11 +24,11 @@ constexpr std::array<std::array<std::uint64_t, 256>, 8> crc64_tables() {
   return tables;
 }
 
-/// The checksum CRC-64/XZ of bytes that come in pieces; misses no error of up to 64 bits in a row.
+/// The CRC-64/XZ checksum of bytes that are added in pieces. It detects every burst error of up to 64 bits.
 class Checksum {
  public:
   void add(std::span<std::byte const> bytes) {
-    // Eight at a time: a checkpoint can have gigabytes.
+    // Eight bytes at a time, because a checkpoint can be gigabytes large.
     for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
       for (unsigned k = 0; k < 8; ++k) state_ ^= std::uint64_t(bytes[k]) << (8 * k);
       std::uint64_t next = 0;

@@ -41,7 +41,7 @@ inline hdf5::Handle text_type(std::size_t size) {
   return type;
 }
 
-/// Creates a dataset; '/' in its name makes groups.
+/// Creates a dataset and the groups that its name contains, as in "group/name".
 inline hdf5::Handle create_dataset(hid_t where, std::string const& name, hid_t type, hid_t space) {
   hdf5::Handle const links{hdf5::check(H5Pcreate(H5P_LINK_CREATE)), H5Pclose};
   hdf5::check(H5Pset_create_intermediate_group(links, 1));

@@ -20,8 +20,8 @@ auto named(std::string const& entry, Action const& action) {
   }
 }
 
-/// Reads the entries of an untrusted file. Checks the type, rank and size of each entry before it allocates memory.
-/// All functions throw hdf5::Failure that names the entry.
+/// A reader of the entries of an untrusted file. It checks the type, rank and size of each entry before it allocates
+/// memory. All functions throw an hdf5::Failure that names the entry.
 class CheckpointReader {
  public:
   explicit CheckpointReader(std::filesystem::path const& path) : unread_(std::filesystem::file_size(path)) {
@@ -51,7 +51,7 @@ class CheckpointReader {
       return without_padding(std::move(text));
     });
   }
-  /// The lines of the attribute "names", each another.
+  /// Returns the lines of the attribute "names". Throws hdf5::Failure if a line occurs twice.
   std::vector<std::string> names(std::string const& object) {
     auto const all = lines_of(text_attribute(object, "names"));
     if (std::set<std::string>(all.begin(), all.end()).size() != all.size())
@@ -91,7 +91,7 @@ class CheckpointReader {
  private:
   static constexpr hsize_t most_components = 1 << 16;
 
-  /// Only hard links stay in the file and end.
+  /// Throws hdf5::Failure unless every link in a name is a hard link: other links may leave the file or never end.
   void check_links(std::string const& name) const {
     for (std::size_t end = 0; end != std::string::npos;) {
       end = name.find('/', end + 1);
@@ -100,7 +100,8 @@ class CheckpointReader {
       if (info.type != H5L_TYPE_HARD) throw hdf5::Failure("it is a link to another place");
     }
   }
-  /// Opens a dataset. Refuses external, virtual and compressed storage.
+  /// Opens a dataset. Throws hdf5::Failure if its storage is not contiguous in this file (external, virtual,
+  /// compressed).
   hdf5::Handle open(std::string const& name) const {
     check_links(name);
     hdf5::Handle dataset{hdf5::check(H5Dopen2(file_, name.c_str(), H5P_DEFAULT)), H5Dclose};
@@ -132,12 +133,12 @@ class CheckpointReader {
     return std::string(claimed(H5Tget_size(type), 1), '\0');
   }
   static std::string without_padding(std::string text) { return text == std::string(1, '\0') ? "" : text; }
-  /// A dataset whose values were never written has no storage; HDF5 would make them up.
+  /// Throws hdf5::Failure unless all values of a dataset are stored: HDF5 would make up values that were never written.
   static void check_stored(hid_t dataset, std::size_t bytes) {
     if (auto const stored = H5Dget_storage_size(dataset); stored != bytes)
       throw hdf5::Failure(fmt::format("{} bytes of it are in the file instead of {}", stored, bytes));
   }
-  /// All entries together are no larger than the file.
+  /// Returns the size of an entry in bytes. Throws hdf5::Failure if all entries so far would be larger than the file.
   std::size_t claimed(std::size_t count, std::size_t bytes_of_each) {
     if (count > unread_ / bytes_of_each) throw hdf5::Failure("it is larger than the file");
     unread_ -= count * bytes_of_each;

@@ -18,14 +18,15 @@
 #include <vector>
 
 // The seal of a checkpoint: HDF5 reserves the first 512 bytes of a file (the "user block") for the program, which
-// stores the size and the checksum of the remainder there. HDF5's own checksum (Fletcher-32) covers only the values of
-// datasets, neither attributes nor metadata; and a seal is checked before HDF5 reads a damaged file.
+// stores the size of the file and the checksum of the remainder there. HDF5's own checksum (Fletcher-32) covers only
+// the values of datasets, neither attributes nor metadata. The seal is also checked before HDF5 reads the file, which
+// may be damaged.
 namespace scree::detail {
 
 inline constexpr std::size_t seal_size = 512;
 inline constexpr int checkpoint_format = 1;
 
-/// Owns a file descriptor; its functions throw std::system_error.
+/// The owner of a file descriptor. Its functions throw std::system_error if they fail.
 class FileDescriptor {
  public:
   FileDescriptor(std::filesystem::path const& path, int flags)
@@ -41,7 +42,7 @@ class FileDescriptor {
     check(::fstat(number_, &status) == 0);
     return static_cast<std::uint64_t>(status.st_size);
   }
-  /// Reads `bytes` from an offset in the file; returns the number of bytes read.
+  /// Fills `bytes` with the content of the file after an offset. Returns the number of bytes read.
   std::size_t read(std::span<std::byte> bytes, std::uint64_t from) const {
     std::size_t done = 0;
     while (done < bytes.size()) {
@@ -61,7 +62,7 @@ class FileDescriptor {
       done += static_cast<std::size_t>(more);
     }
   }
-  /// Returns when the disk has it. Some file systems cannot sync a directory; this is not an error.
+  /// Flushes the file to the disk and waits for it. A file system that cannot sync a directory is not an error.
   void sync() const { check(::fsync(number_) == 0 || errno == EINVAL); }
 
  private:
@@ -77,7 +78,7 @@ inline std::string seal_text(std::uint64_t size, std::uint64_t checksum) {
   return text;
 }
 
-/// The checksum of everything behind the seal.
+/// Returns the checksum of everything after the seal.
 inline std::uint64_t checksum_of(FileDescriptor const& file) {
   std::vector<std::byte> buffer(1 << 20);
   Checksum checksum;
@@ -89,15 +90,15 @@ inline std::uint64_t checksum_of(FileDescriptor const& file) {
   }
 }
 
-/// Writes the seal of a complete file and hands all of it to the disk.
+/// Writes the seal of a complete file and flushes the file to the disk.
 inline void seal(std::filesystem::path const& path) {
   FileDescriptor const file(path, O_RDWR);
   file.write(seal_text(file.size(), checksum_of(file)), 0);
   file.sync();
 }
 
-/// Throws hdf5::Failure if the seal of a file is missing or does not fit its content, and std::system_error if it
-/// cannot be read.
+/// Throws hdf5::Failure if the seal of a file is missing or does not match its content, and std::system_error if the
+/// file cannot be read.
 inline void check_seal(std::filesystem::path const& path) {
   FileDescriptor const file(path, O_RDONLY);
   std::string found(seal_size, '\0');

@@ -6,7 +6,7 @@
 
 namespace scree::detail {
 
-/// Upper bound on the size of a snapshot in a file, in bytes.
+/// Returns an upper bound on the size (bytes) of a snapshot in a file.
 inline std::uintmax_t bytes_of(Snapshot const& snapshot) {
   constexpr std::uintmax_t metadata = 1 << 18, metadata_of_entry = 1 << 12;
   std::uintmax_t bytes = metadata + snapshot.signature.size();
@@ -37,7 +37,7 @@ inline void write_content(hid_t file, Snapshot const& snapshot) {
   hdf5::write_text(arrays, "names", joined(names));
 }
 
-/// Throws hdf5::Failure for names and texts of notes and arrays that HDF5 cannot hold.
+/// Throws hdf5::Failure if HDF5 cannot store a name or text of the notes, or a name of an array.
 inline void check_entries(Snapshot const& snapshot) {
   std::vector<std::string> arrays;
   for (auto const& array : snapshot.arrays) arrays.push_back(array.name);
@@ -45,10 +45,10 @@ inline void check_entries(Snapshot const& snapshot) {
     if (!fault.empty()) throw hdf5::Failure(fault);
 }
 
-/// Writes a file without a seal. Throws hdf5::Failure or std::system_error.
+/// Writes a snapshot to a file without a seal. Throws hdf5::Failure or std::system_error.
 inline void write_snapshot(std::filesystem::path const& path, Snapshot const& snapshot) {
   check_entries(snapshot);
-  // HDF5 should not meet a full disk, so room is made before it writes,
+  // HDF5 should not run into a full disk, so space is reserved before it writes.
   FileDescriptor(path, O_WRONLY | O_CREAT | O_TRUNC);
   reserve_disk_space(path, bytes_of(snapshot));
   hdf5::Handle const access = hdf5::without_locks();
@@ -56,14 +56,15 @@ inline void write_snapshot(std::filesystem::path const& path, Snapshot const& sn
   hdf5::check(H5Pset_userblock(creation, seal_size));
   hdf5::Handle empty{hdf5::check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access)), H5Fclose};
   hdf5::check(empty.close());
-  // HDF5 has emptied the file, so reserve again; opened again, it uses this space and releases the rest.
+  // H5Fcreate() has emptied the file, so space is reserved again; HDF5 then reopens the file, uses the space and
+  // releases the rest.
   reserve_disk_space(path, bytes_of(snapshot));
   hdf5::Handle file{hdf5::check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access)), H5Fclose};
   write_content(file, snapshot);
   hdf5::check(file.close());
 }
 
-/// Reads a file whose seal is whole.
+/// Returns the snapshot in a file whose seal is intact.
 inline Snapshot read_snapshot(std::filesystem::path const& path) {
   CheckpointReader file(path);
   Snapshot snapshot;

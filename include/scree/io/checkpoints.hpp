@@ -7,17 +7,17 @@
 
 namespace scree {
 
-/// Checkpoints in sealed HDF5 files, written when CheckpointPolicy says so:
+/// Checkpoints in sealed HDF5 files, written whenever CheckpointPolicy requires it:
 ///
 ///     Checkpoints checkpoints({.file = "checkpoint.h5", .interval = 600});
 ///     if (resume) solver.restore(checkpoints.read("checkpoint.h5"));
 ///     run_with(solver, end, observers, checkpoints);
 ///     return checkpoints.exit_code();
 ///
-/// A damaged file is refused with a message.
+/// A damaged file is rejected with a message.
 class Checkpoints : public CheckpointPolicy {
  public:
-  /// Throws std::invalid_argument for options that CheckpointPolicy refuses.
+  /// Throws std::invalid_argument for options that CheckpointPolicy rejects.
   explicit Checkpoints(CheckpointOptions options)
       : CheckpointPolicy(std::move(options), {write_checkpoint, read_checkpoint}) {}
 };

@@ -55,7 +55,7 @@ SCREE_BODY CsvSeries::Rows CsvSeries::rows_until(double time, std::filesystem::p
   std::ifstream stream(from);
   std::string line;
   if (!std::getline(stream, line)) throw std::runtime_error(from.string() + ": cannot read it to continue the table");
-  std::size_t there = columns.size();  // columns of the file
+  std::size_t there = columns.size();  // number of columns in the file
   while (there > 0 && line != header_of({columns.begin(), columns.begin() + std::ptrdiff_t(there)})) --there;
   if (there == 0) throw std::runtime_error(from.string() + ": its columns are " + line + ", not " + header_of(columns));
   Rows rows;

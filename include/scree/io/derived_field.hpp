@@ -6,11 +6,11 @@
 #include "../fields/standard.hpp"
 #include "../passes/resolution.hpp"
 
-// Quantities that are computed from fields when they are written, on the host. No particle stores them.
+// Quantities that are computed from fields on the host when output is written. Particles do not store them.
 namespace scree {
 
-/// A field that names the fields it is computed from in `reads` and has a static function `of(i, resolution)`, where i
-/// offers their values at one particle: `i[velocity]`.
+/// Whether F is a field that lists, in `reads`, the fields from which it is computed. Such a field also has a static
+/// function `of(i, resolution)`, in which i gives the values of these fields at one particle: `i[velocity]`.
 template <class F>
 concept DerivedField = Field<F> && requires {
   typename F::reads;
@@ -19,7 +19,7 @@ concept DerivedField = Field<F> && requires {
 /// Mean pressure, positive in compression.
 struct Pressure : Scalar<"pressure", "Pa"> {
   using reads = Fields<Stress>;
-  /// The pressure of a particle, Pa.
+  /// Returns the pressure of a particle (Pa).
   template <class I>
   static auto of(I const& i, Resolution const&) {
     auto const& sigma = i[fields::stress];

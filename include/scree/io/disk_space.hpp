@@ -17,12 +17,12 @@
 
 namespace scree {
 
-/// Makes sure that an existing file can grow by `bytes`, by letting the file system set the blocks aside.
+/// Makes the file system reserve blocks, so that an existing file can grow by `bytes`.
 ///
-/// A write that runs out of space half-way through HDF5's metadata leaves an unreadable file; reserving the space
-/// beforehand leaves the file unchanged if it fails. Covers a full disk, quotas and the shell's `ulimit -f` (which
-/// would otherwise end the program by a signal). Where the file system cannot reserve, nothing is checked. HDF5 trims
-/// what it does not use. Throws std::system_error with the reason.
+/// A write that runs out of space half-way through HDF5's metadata leaves an unreadable file, whereas a failed
+/// reservation leaves the file unchanged. This detects a full disk, an exceeded quota and the limit of the shell's
+/// `ulimit -f` (which would otherwise end the program by a signal). If the file system cannot reserve blocks, only that
+/// limit is checked. HDF5 releases the blocks that it does not use. Throws std::system_error with the reason.
 inline void reserve_disk_space([[maybe_unused]] std::filesystem::path const& file,
                                [[maybe_unused]] std::uintmax_t bytes) {
 #if defined(__linux__)
@@ -44,7 +44,7 @@ inline void reserve_disk_space([[maybe_unused]] std::filesystem::path const& fil
   if (::fallocate(descriptor.number, 0, status.st_size, static_cast<::off_t>(bytes)) != 0) {
     int const reason = errno;
     if (reason == EOPNOTSUPP || reason == ENOSYS) return;
-    if (::ftruncate(descriptor.number, status.st_size) != 0) stop(errno);  // gives a partial reservation back
+    if (::ftruncate(descriptor.number, status.st_size) != 0) stop(errno);  // releases a partial reservation
     stop(reason);
   }
 #endif

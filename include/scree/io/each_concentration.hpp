@@ -10,13 +10,13 @@
 
 namespace scree {
 namespace detail {
-/// "concentration 1" and so on.
+/// The name of the concentration of species K: "concentration 1" and so on.
 template <int K>
 inline constexpr char name_of_concentration[] = {'c', 'o', 'n', 'c', 'e', 'n', 't',          'r',
                                                  'a', 't', 'i', 'o', 'n', ' ', char('0' + K)};
 }  // namespace detail
 
-/// The concentration of species K of N, which count from 1, for output: a writer has no arrays for those of all
+/// The concentration of species K (1 to N) for output: writers have no array type for the concentrations of all
 /// species.
 template <int N, int K>
 struct ConcentrationOf {
@@ -26,7 +26,7 @@ struct ConcentrationOf {
   template <int Dim, class Real>
   using value = Real;
   using reads = Fields<Concentrations<N>>;
-  /// The concentration of one species in a particle.
+  /// Returns the concentration of species K in a particle.
   template <class I>
   static auto of(I const& i, Resolution const&) {
     return std::remove_cvref_t<decltype(i[fields::concentrations<N>][0])>(i[fields::concentrations<N>][K - 1]);
@@ -38,7 +38,7 @@ template <int N, int... K>
 Fields<ConcentrationOf<N, K + 1>...> each_concentration(std::integer_sequence<int, K...>);
 }  // namespace detail
 
-/// All of them as a list of fields.
+/// The concentrations of N species as a list of fields.
 template <int N>
 using EachConcentration = decltype(detail::each_concentration<N>(std::make_integer_sequence<int, N>{}));
 

@@ -9,19 +9,19 @@
 #include <string>
 #include <utility>
 
-/// Owners and worded errors for the HDF5 C interface, as far as scree's writers need them.
+/// Owning handles and readable error messages for the HDF5 C interface, as far as scree's writers need them.
 namespace scree::hdf5 {
 
-/// Owns one HDF5 identifier and closes it with the function it was given; movable, not copyable.
+/// The owner of one HDF5 identifier, which it closes with a given function. Movable, but not copyable.
 class Handle {
  public:
-  /// A function of HDF5 that closes an identifier.
+  /// An HDF5 function that closes an identifier.
   using Close = herr_t (*)(hid_t);
 
   Handle() = default;
-  /// Owns an identifier, which `closer` closes.
+  /// Takes ownership of an identifier, which `closer` closes.
   Handle(hid_t id, Close closer) : id_(id), close_(closer) {}
-  /// Takes the identifier over.
+  /// Takes over the identifier of another handle.
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Handle& operator=(Handle&& other) noexcept {
     std::swap(id_, other.id_);
@@ -34,7 +34,8 @@ class Handle {
 
   operator hid_t() const { return id_; }
 
-  /// Closes now, with HDF5's return value: closing a file writes, so it can fail, and the destructor cannot tell.
+  /// Closes the identifier and returns HDF5's status: closing a file writes and can therefore fail, which the
+  /// destructor cannot report.
   [[nodiscard]] herr_t close() { return close_(std::exchange(id_, H5I_INVALID_HID)); }
 
  private:
@@ -42,7 +43,7 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// While it lives, HDF5 does not print its error stack: scree words one message itself.
+/// A guard that stops HDF5 from printing its error stack as long as it exists: scree reports one message of its own.
 class Silence {
  public:
   /// Stops HDF5 from printing errors.
@@ -69,7 +70,7 @@ inline herr_t first_description(unsigned, H5E_error2_t const* entry, void* text)
 
 }  // namespace detail
 
-/// The cause of the failure of the last HDF5 call: the operating system's reason where there is one ("No space left on
+/// Returns why the last HDF5 call failed: the reason of the operating system if there is one ("No space left on
 /// device"), otherwise HDF5's innermost description.
 inline std::string last_cause() {
   std::string cause;
@@ -82,7 +83,7 @@ inline std::string last_cause() {
   return cause.empty() ? "HDF5 gives no reason" : cause;
 }
 
-/// Raised by check() inside a writer, which adds the file's name and what it was doing.
+/// The exception of check(). A writer catches it and adds the name of the file and the failed action.
 struct Failure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -94,25 +95,26 @@ T check(T result) {
   return result;
 }
 
-/// A dataspace of one value.
+/// Returns a dataspace of one value.
 inline Handle scalar_space() { return {check(H5Screate(H5S_SCALAR)), H5Sclose}; }
-/// Opens a group and returns it. Throws Failure where there is none of this name.
+/// Opens a group and returns it. Throws Failure if there is no group of this name.
 inline Handle open_group(hid_t where, char const* name) {
   return {check(H5Gopen2(where, name, H5P_DEFAULT)), H5Gclose};
 }
-/// Creates a group and returns it. Throws Failure where that fails.
+/// Creates a group and returns it. Throws Failure if that fails.
 inline Handle create_group(hid_t where, char const* name) {
   return {check(H5Gcreate2(where, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), H5Gclose};
 }
 
-/// Properties to create a dataset with: no times of the clock, so that equal runs leave equal bytes.
+/// Returns properties for creating a dataset without time stamps, so that identical runs write identical files.
 inline Handle without_times() {
   Handle creation{check(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose};
   check(H5Pset_obj_track_times(creation, false));
   return creation;
 }
 
-/// Properties to open a file with: some network file systems have no locks, and HDF5 would refuse to work there.
+/// Returns properties for opening a file without locking it: HDF5 would fail on network file systems that have no
+/// locks.
 inline Handle without_locks() {
   Handle access{check(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose};
 #if H5_VERSION_GE(1, 10, 7)
@@ -121,7 +123,7 @@ inline Handle without_locks() {
   return access;
 }
 
-/// A fixed-length string (VTK refuses variable-length ones for Type).
+/// Returns the type of a fixed-length string for a text (VTK rejects variable-length strings for Type).
 inline Handle text_type(std::string const& text) {
   Handle type{check(H5Tcopy(H5T_C_S1)), H5Tclose};
   bool const ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 128; });
@@ -130,7 +132,7 @@ inline Handle text_type(std::string const& text) {
   check(H5Tset_strpad(type, H5T_STR_NULLPAD));
   return type;
 }
-/// Writes a text attribute, of less than 64 KiB.
+/// Writes a text of less than 64 KiB as an attribute.
 inline void write_text(hid_t where, std::string const& name, std::string const& text) {
   Handle const type = text_type(text);
   Handle const attribute{check(H5Acreate2(where, name.c_str(), type, scalar_space(), H5P_DEFAULT, H5P_DEFAULT)),

@@ -9,10 +9,10 @@
 #include <type_traits>
 #include <vector>
 
-/// Growing tables in an HDF5 file: datasets [rows] or [rows, columns], chunked and unlimited in rows.
+/// Growing tables in an HDF5 file: chunked datasets [rows] or [rows, columns] with an unlimited number of rows.
 namespace scree::hdf5 {
 
-/// HDF5's name for a C++ number type in memory.
+/// Returns HDF5's identifier of a C++ number type in memory.
 template <class T>
 hid_t native() {
   if constexpr (std::is_same_v<T, double>)
@@ -27,15 +27,15 @@ hid_t native() {
   }
 }
 
-/// The storage of the rows of a table.
+/// The storage format of a table.
 struct TableFormat {
-  hid_t type;               ///< how a number is stored
+  hid_t type;               ///< HDF5 type of a stored number
   hsize_t columns = 0;      ///< 0: a dataset of rank one
   hsize_t chunk_rows = 64;  ///< rows stored (and compressed) together
   int deflate = 0;          ///< zlib level 0 (off) to 9
 };
 
-/// Creates an empty table, or leaves the one of that name as it is.
+/// Creates an empty table, unless a table of that name exists.
 inline void create_table(hid_t where, char const* name, TableFormat const& format) {
   if (check(H5Lexists(where, name, H5P_DEFAULT)) > 0) return;
   int const rank = format.columns == 0 ? 1 : 2;
@@ -52,8 +52,8 @@ inline void create_table(hid_t where, char const* name, TableFormat const& forma
   Handle const table{check(H5Dcreate2(where, name, format.type, space, H5P_DEFAULT, creation, H5P_DEFAULT)), H5Dclose};
 }
 
-/// Makes `values` the rows from `first_row` to the end of the table; rows that were there are replaced, so a write
-/// that failed half-way can be repeated.
+/// Writes `values` as the rows from `first_row` to the end of the table. Existing rows are replaced, so a write that
+/// failed half-way can be repeated.
 template <class T>
 void write_rows(hid_t where, char const* name, hsize_t first_row, std::span<T const> values) {
   Handle const table{check(H5Dopen2(where, name, H5P_DEFAULT)), H5Dclose};
@@ -70,12 +70,12 @@ void write_rows(hid_t where, char const* name, hsize_t first_row, std::span<T co
 
   Handle const file_space{check(H5Dget_space(table)), H5Sclose};
   check(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr));
-  // HDF5 copies number by number where the ranks differ.
+  // HDF5 copies number by number if the ranks of the dataspaces differ.
   Handle const memory_space{check(H5Screate_simple(rank, count, nullptr)), H5Sclose};
   check(H5Dwrite(table, native<T>(), memory_space, file_space, H5P_DEFAULT, values.data()));
 }
 
-/// All numbers of a table, row by row.
+/// Returns all numbers of a table, row by row.
 template <class T>
 std::vector<T> read_rows(hid_t where, char const* name) {
   Handle const table{check(H5Dopen2(where, name, H5P_DEFAULT)), H5Dclose};
@@ -85,7 +85,7 @@ std::vector<T> read_rows(hid_t where, char const* name) {
   return numbers;
 }
 
-/// Removes the rows of a table from `rows` on.
+/// Removes all rows of a table after the first `rows`.
 inline void cut_rows(hid_t table, hsize_t rows) {
   hsize_t size[2] = {0, 1};
   {

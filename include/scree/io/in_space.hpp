@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <numbers>
 
-// Values of fields as VTK stores them, always in three dimensions. A simulation in the plane is the plane y = 0: its
-// coordinates are x and z, because the last one points upwards in the library.
+// Values of fields as VTK stores them, always in three dimensions. A two-dimensional simulation lies in the plane
+// y = 0; its coordinates are x and z, because the last coordinate of the library points upwards.
 namespace scree {
 namespace detail {
 
@@ -30,13 +30,15 @@ inline constexpr bool holds_symmetric3 = holds_values<F, Vec<4, double>, Vec<6, 
 template <class F>
 inline constexpr bool holds_symmetric = holds_values<F, Vec<3, double>, Vec<6, double>>;
 
-/// The axis in space of an axis of the simulation; in the plane, 2 is the direction out of it.
+/// Returns the axis in space for an axis of the simulation. In two dimensions, axis 2 is the direction out of the
+/// plane.
 template <int Dim>
 constexpr std::size_t axis_in_space(int axis) {
   if (Dim == 3 || axis == 0) return static_cast<std::size_t>(axis);
   return axis == 1 ? 2 : 1;
 }
-/// VTK's index of an entry of a symmetric tensor: xx, yy, zz, xy, yz, xz.
+/// Returns VTK's index of the entry (a, b) of a symmetric tensor, whose entries are in the order xx, yy, zz, xy, yz,
+/// xz.
 constexpr std::size_t place_in_symmetric(std::size_t a, std::size_t b) {
   if (a == b) return a;
   return a + b == 1 ? 3 : a + b == 3 ? 4 : 5;
@@ -44,7 +46,7 @@ constexpr std::size_t place_in_symmetric(std::size_t a, std::size_t b) {
 
 }  // namespace detail
 
-/// Numbers per value of a field in space; 0 if VTK has no arrays for its values.
+/// The number of components of a field's value in space; 0 if VTK has no arrays for such values.
 template <Field F>
 inline constexpr int components_in_space = detail::holds_reals<F> || detail::holds_integers<F> ? 1
                                            : detail::holds_vectors<F>                          ? 3
@@ -55,7 +57,7 @@ inline constexpr int components_in_space = detail::holds_reals<F> || detail::hol
 
 namespace detail {
 
-/// The kinds of values of a field.
+/// The kinds of value that a field can have.
 enum class Form { number, vector, tensor, symmetric3, symmetric };
 template <Field F>
 inline constexpr Form form_of = holds_reals<F> || holds_integers<F> ? Form::number
@@ -95,8 +97,9 @@ auto placed_in_space(Value const& value) {
 
 }  // namespace detail
 
-/// A value of field F of a simulation in Dim dimensions, in space: a number; x, y, z; the entries xx, yy, zz, xy, yz,
-/// xz of a symmetric tensor; the rows of another one. Components out of the plane that the field does not know are 0.
+/// Returns the components in space of a value of field F in a Dim-dimensional simulation: a number; the components x,
+/// y, z of a vector; the entries xx, yy, zz, xy, yz, xz of a symmetric tensor; the rows of any other tensor.
+/// Out-of-plane components that the field does not have are 0.
 template <int Dim, Field F, class Value>
 auto in_space(Value const& value) {
   static_assert(components_in_space<F> > 0, "VTK has no arrays for values like those of this field");

@@ -12,7 +12,7 @@
 //     ... history.row(row_of(solver.time(), ledger(solver)));
 namespace scree {
 
-/// The columns: time, counts, and the count and volume of each inlet and drain.
+/// Returns the columns of the table: time, particle counts, and the particle count and volume of each inlet and drain.
 inline std::vector<CsvColumn> columns_of(Ledger const& all) {
   std::vector<CsvColumn> columns = {{"time", "s"}, {"present", "1"}, {"added", "1"}, {"removed", "1"}};
   for (auto const* list : {&all.inlets, &all.drains})
@@ -22,7 +22,7 @@ inline std::vector<CsvColumn> columns_of(Ledger const& all) {
     }
   return columns;
 }
-/// The numbers of a row at a time (s).
+/// Returns the row of the table for a time (s).
 inline std::vector<double> row_of(double time, Ledger const& all) {
   std::vector<double> row = {time, double(all.present), double(all.added), double(all.removed)};
   for (auto const* list : {&all.inlets, &all.drains})

@@ -14,19 +14,19 @@
 #include <string_view>
 #include <vector>
 
-// Fields for a writer as bytes, without their types: the numbers of all fields are gathered by the same functions.
+// Fields for a writer as bytes without C++ types, so that the same functions gather the numbers of all fields.
 namespace scree::detail {
 
 /// The description of an array of a field.
 struct FieldOfPoints {
   std::string_view prefix, name, unit;
   Form form;
-  int components, dim;  // of the simulation
+  int components, dim;  // `dim`: dimensions of the simulation
   ElementType element;
 };
 
-/// A body: its columns, the number of its particles in the whole case, and the function that puts values of a given
-/// number of bytes in the order of all its particles.
+/// A body: its columns, the number of its particles on all ranks, and a function that arranges values of a given size
+/// (bytes) in the order of all its particles.
 template <class Space>
 struct BodyOfPoints {
   UntypedParticles<Space> const* columns;
@@ -34,15 +34,15 @@ struct BodyOfPoints {
   std::function<std::vector<std::byte>(std::vector<std::byte>, std::size_t)> in_order;
 };
 
-/// The array without values. Its name has no blanks, which calculators of arrays do not take; its unit has the number
-/// of dimensions in place of "dim".
+/// Returns the array of a field without its values. Blanks in the name are replaced, because array calculators do not
+/// accept them; "dim" in the unit is replaced by the number of dimensions.
 PointArray empty_array(FieldOfPoints const& field);
-/// Appends values, given as raw bytes, with all components of their three-dimensional form.
+/// Appends values, given as raw bytes, with all components that they have in space.
 void append_in_space(PointArray& array, FieldOfPoints const& field, std::vector<std::byte> const& values);
-/// Adds zeros for particles that do not carry the field.
+/// Appends zeros for particles that do not carry the field.
 void append_zeros(PointArray& array, std::size_t particles);
 
-/// The values of a field that is stored, on all bodies; `key`: its field_key.
+/// Returns the values of a stored field on all bodies; `key` is the field_key of the field.
 template <class Space>
 [[gnu::cold]] PointArray array_of_column(FieldOfPoints const& field, void const* key,
                                          std::vector<BodyOfPoints<Space>> const& bodies) {

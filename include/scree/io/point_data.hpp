@@ -7,18 +7,18 @@
 #include <variant>
 #include <vector>
 
-// Particles at one time as numbers on the host, for a writer. It depends neither on devices nor on files.
+// Data of particles at one time on the host, for a writer. They depend neither on devices nor on files.
 namespace scree {
 
-/// One quantity of all particles: n * components numbers, particle by particle.
+/// One quantity of n particles: n * components numbers, particle by particle.
 struct PointArray {
   std::string name;
-  int components = 1;  ///< 1 scalar, 3 vector, 6 symmetric (xx, yy, zz, xy, yz, xz) and 9 full tensor (row by row)
+  int components = 1;  ///< 1: scalar, 3: vector, 6: symmetric (xx, yy, zz, xy, yz, xz), 9: full tensor (row by row)
   std::variant<std::vector<double>, std::vector<float>, std::vector<std::int32_t>> values = {};
   std::string unit = {};
 };
 
-/// A step of VtkHdfSeries; see point_data_of().
+/// The data of one step of a VtkHdfSeries; see point_data_of().
 struct PointData {
   double time = 0;                                                 ///< s
   std::variant<std::vector<double>, std::vector<float>> xyz = {};  ///< 3 n coordinates, m

@@ -18,7 +18,7 @@
 #include <variant>
 #include <vector>
 
-// The particles of a solver as numbers for a writer, by a list of fields.
+// The values of a list of fields on the particles of a solver, for a writer.
 namespace scree {
 namespace detail {
 
@@ -29,7 +29,7 @@ inline constexpr bool carries = carries_all<Fields<F>, Body>;
 template <DerivedField F, class Body>
 inline constexpr bool carries<F, Body> = carries_all<reads_of<F>, Body>;
 
-/// The value of a field on the host; of a derived field, what `of` returns.
+/// The type of a field's values on the host; for a derived field, the type that `of` returns.
 template <class P, Field F>
 struct host_value {
   using type = value_t<P, F>;
@@ -69,7 +69,7 @@ auto host_values(Body const& body, Resolution const& resolution) {
   return values;
 }
 
-/// A body and how its values come into one order.
+/// A body, and how its values are put in order.
 template <class Body>
 struct BodyInOrder {
   using particles = Body;
@@ -98,7 +98,7 @@ FieldOfPoints field_of_points(int dim) {
           element_type<typename number_of<Value>::type>()};
 }
 
-/// Adds the values of a derived field on one body.
+/// Appends the values of a derived field on one body.
 template <DerivedField F, class Whole>
 void append_derived(PointArray& array, FieldOfPoints const& field, Whole const& whole, Resolution const& resolution) {
   if constexpr (carries<F, typename Whole::particles>) {
@@ -128,7 +128,7 @@ PointArray point_array_of(Resolution const& resolution, std::vector<BodyOfPoints
   }
 }
 
-/// The index of the body of each particle in the list of all bodies.
+/// Returns an array of the index of each particle's body in the list of all bodies.
 template <class All, BodyTag... Tags, class... Whole>
 PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
   std::vector<std::int32_t> numbers;
@@ -138,13 +138,13 @@ PointArray body_marker(Bodies<Tags...>, Whole const&... whole) {
 
 }  // namespace detail
 
-/// Positions and the given fields of bodies now, with components in VTK's order (see in_space()). The bodies come one
-/// behind the other, each in the order of its particles in memory; list Identity where a solver sorts them. The
-/// particles of several ranks come in the order of their identities, on all ranks. Arrays have the names of the fields,
-/// with underscores. With more than one body there is an array `body`, the index of each in the `bodies` of the
-/// formulation (0: material, 1: wall), and a field is 0 on the bodies that do not carry it. Diagnostics are brought up
-/// to date first. Rates and other results of passes belong to the last step; before the first step, to the
-/// initial state.
+/// Returns the current positions and the given fields of bodies, with components in VTK's order (see in_space()). The
+/// bodies follow one another, each with its particles in the order of memory; list Identity if the solver sorts
+/// particles. If the case has several ranks, all ranks get the particles of all ranks, in the order of their
+/// identities. Arrays have the names of the fields, with underscores for blanks. With more than one body, an array
+/// `body` holds the index of each particle's body in the `bodies` of the formulation (0: material, 1: wall), and a
+/// field is 0 on bodies that do not carry it. Diagnostics are updated first. Rates and other results of passes belong
+/// to the last step or, before the first step, to the initial state.
 template <class S, class... Fs, BodyTag... Tags>
 [[gnu::cold]] PointData point_data_of(S& solver, Fields<Fs...>, Bodies<Tags...> tags) {
   using P = typename S::policy;
@@ -163,7 +163,7 @@ template <class S, class... Fs, BodyTag... Tags>
   add(detail::whole_body<Tags>(solver)...);
   return data;
 }
-/// Positions and the given fields of the material.
+/// Returns the current positions and the given fields of the material.
 template <class S, class... Fs>
 PointData point_data_of(S& solver, Fields<Fs...> fields) {
   return point_data_of(solver, fields, Bodies<Material>{});

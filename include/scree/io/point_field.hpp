@@ -14,14 +14,14 @@
 
 namespace scree {
 
-/// One quantity of all particles: n * components numbers, particle by particle.
+/// One quantity of n particles: n * components numbers, particle by particle.
 struct PointField {
-  std::string name;    ///< as ParaView shows it; neither empty nor with '/' or '.'
-  int components = 1;  ///< 1 scalar, 3 vector, 6 symmetric and 9 full tensor
+  std::string name;    ///< the name in ParaView; must not be empty or contain '/' or '.'
+  int components = 1;  ///< 1: scalar, 3: vector, 6: symmetric tensor, 9: full tensor
   std::variant<std::span<double const>, std::span<float const>, std::span<std::int32_t const>> values;
   std::string unit = {};  ///< written as the attribute `units` unless empty
 };
-/// Positions of all particles: 3 n coordinates, particle by particle.
+/// The positions of n particles: 3 n coordinates, particle by particle.
 using PointCoordinates = std::variant<std::span<double const>, std::span<float const>>;
 
 namespace detail {
@@ -38,14 +38,14 @@ inline std::vector<FieldLayout> columns_of(std::span<PointField const> fields) {
   return columns;
 }
 
-/// In alphabetical order.
+/// Returns the names of fields in alphabetical order.
 inline std::vector<std::string> names_of(std::span<PointField const> fields) {
   std::set<std::string> names;
   for (auto const& field : fields) names.insert(field.name);
   return {names.begin(), names.end()};
 }
 
-/// The error in the fields of n particles; empty if there is none.
+/// Returns a description of the error in the fields of n particles, or an empty text if there is none.
 inline std::string fault_of(std::span<PointField const> fields, std::size_t n) {
   std::set<std::string> names;
   for (auto const& [name, components, values, unit] : fields) {

@@ -13,7 +13,7 @@
 
 namespace scree {
 
-/// The states of rigid bodies over time, a table for each body: time, position, velocity, attitude (an angle or a
+/// The states of rigid bodies over time, in one table per body: time, position, velocity, attitude (an angle or a
 /// quaternion), angular velocity, and the forces and moments of grains, contacts and springs.
 ///
 ///     RigidSeries states("stones", groups);   // stones/NAME.csv for each group
@@ -23,8 +23,8 @@ namespace scree {
 template <int Dim>
 class RigidSeries {
  public:
-  /// `bodies` are the groups that the particles of the rigid bodies are made from. After a restart `goes_on_from` is
-  /// its time (s): earlier rows are kept.
+  /// Creates the tables. `bodies` are the groups from which the particles of the rigid bodies are made. After a
+  /// restart, `goes_on_from` is the time (s) of the restart; earlier rows are kept.
   RigidSeries(std::filesystem::path const& folder, Groups<Dim> const& bodies, std::optional<double> goes_on_from = {}) {
     std::filesystem::create_directories(folder);
     for (std::string const& name : bodies.names()) {
@@ -36,7 +36,7 @@ class RigidSeries {
     }
   }
 
-  /// Adds the present states. The forces belong to the last evaluation of the rates.
+  /// Appends the current states. The forces belong to the last evaluation of the rates.
   template <class S>
   void append(S const& solver) {
     auto const& states = solver.template body<RigidStates>();
@@ -49,7 +49,7 @@ class RigidSeries {
     for (std::size_t k = 0; k < rows.size(); ++k) tables_[k].row(rows[k]);
   }
 
-  /// The columns of the table of one body: time and the components of each field of its state.
+  /// Returns the columns of the table of one body: time and the components of each field of its state.
   static std::vector<CsvColumn> columns() {
     std::vector<CsvColumn> all = {{"time", "s"}};
     for_each_field([&](auto field, char const* name, std::vector<std::string> const& parts) {

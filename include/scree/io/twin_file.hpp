@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 
 #include <exception>
 #include <filesystem>
@@ -11,12 +11,12 @@
 
 namespace scree {
 
-/// A file that is whole at any time, also when the program is killed while it writes: changes go to a second copy,
-/// "FILE.part", first; then the two exchange names, and the change is repeated. It costs twice the disk and twice the
-/// writing; the copy is removed at the end. Does nothing unless writes_files().
+/// A file that is complete at any time, even if the program is killed while it writes. Each change is first made to a
+/// second copy, "FILE.part"; then the two copies exchange names, and the change is repeated. This takes twice the disk
+/// space and twice the writing. The destructor removes the second copy. Does nothing unless writes_files().
 class TwinFile {
  public:
-  /// A file that does not exist yet or will be replaced.
+  /// Takes the path of a file that does not exist yet or will be replaced.
   explicit TwinFile(std::filesystem::path file) : file_(std::move(file)), twin_(file_), old_(file_) {
     twin_ += ".part";
     old_ += ".old";
@@ -30,10 +30,10 @@ class TwinFile {
     std::filesystem::remove(old_, ignored);
   }
 
-  /// The file, without the second copy.
+  /// Returns the path of the file, not of its second copy.
   std::filesystem::path const& file() const { return file_; }
 
-  /// Begins with a copy of another file (or of this one), changed by `change(path)`.
+  /// Replaces the file by a copy of another file (or of itself), changed by `change(path)`.
   template <class Change>
   void begin_from(std::filesystem::path const& source, Change const& change) {
     if (!writes_) return;
@@ -42,8 +42,8 @@ class TwinFile {
     change(twin_);
     std::filesystem::rename(twin_, file_);
   }
-  /// Calls `change(path)` for both copies, one after the other. Where it throws for the first, the file is as before;
-  /// where the second fails, it is copied at the next change.
+  /// Calls `change(path)` for both copies, one after the other. If the first call throws, the file is unchanged; if the
+  /// second call throws, the second copy is made anew at the next change.
   template <class Change>
   void change(Change const& change) {
     if (!writes_) return;
@@ -59,10 +59,11 @@ class TwinFile {
   }
 
  private:
-  /// By a second name for the file, so that at no time it is without one; where there are no hard links, by another.
+  /// Exchanges the names of the two copies. A hard link keeps the file under a second name meanwhile, so that its own
+  /// name never disappears; on a file system without hard links, the file is renamed.
   void exchange() const {
     std::error_code without_links;
-    std::filesystem::remove(old_);  // of a program that was killed here
+    std::filesystem::remove(old_);  // left by a program that was killed here
     std::filesystem::create_hard_link(file_, old_, without_links);
     if (without_links) std::filesystem::rename(file_, old_);
     std::filesystem::rename(twin_, file_);

@@ -26,7 +26,7 @@ namespace scree {
 
 namespace detail {
 
-/// Creates a file, or checks that an existing one is a regular file that may be written.
+/// Creates a file, or checks that an existing one is a writable regular file.
 inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
   if (may_exist && std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
     throw hdf5::Failure("it is not a regular file");
@@ -39,35 +39,37 @@ inline void create_or_keep(std::filesystem::path const& path, bool may_exist) {
 
 }  // namespace detail
 
-/// A time series of particles in one VTKHDF file (PolyData, one vertex per particle), which ParaView >= 5.12 and
-/// VTK >= 9.3 open with its times.
+/// A time series of particles in one VTKHDF file (PolyData, one vertex per particle). ParaView >= 5.12 and VTK >= 9.3
+/// open the file with its times.
 ///
 ///     VtkHdfSeries series("out/particles.vtkhdf", {.provenance = {{"case", text}}});
 ///     series.append(t, xyz, {{.name = "concentration", .values = c}, {.name = "normal", .components = 3, .values =
 ///     n}});
 ///
-/// The file is complete at any time: it can be opened during a run, and a run that stops, or is killed while it writes,
-/// leaves all steps appended so far. Steps are therefore written to a copy, "FILE.part", so that a series needs twice
-/// the disk space until it is destroyed. Vertices are written when the number of particles changes, otherwise steps
-/// share them. Failures of the file throw std::runtime_error with the file, what was being done and the cause; before
-/// it writes, append() makes sure that the disk has room, so that the steps already there survive a full disk. Wrong
-/// arguments throw std::invalid_argument and leave the file alone. Writes nothing on ranks other than the first
-/// (core/this_rank.hpp); there steps() counts those that were appended.
+/// The file is complete at any time: it can be opened during a run, and if the run stops or is killed while it writes,
+/// the file contains all steps appended so far. Steps are therefore also written to a copy, "FILE.part", so a series
+/// needs twice the disk space until it is destroyed. Vertices are written only when the number of particles changes;
+/// otherwise, steps share them. File errors throw std::runtime_error with the file, the failed action and the cause.
+/// Before it writes, append() reserves disk space, so that existing steps survive a full disk. Invalid arguments throw
+/// std::invalid_argument and leave the file unchanged. Writes nothing on ranks other than the first
+/// (core/writes_files.hpp); there, steps() is the number of steps appended.
 class VtkHdfSeries {
  public:
-  /// Creates the file with no steps. Its directory must exist; the file must not, unless options.overwrite.
+  /// Creates the file without steps. Its directory must exist; the file must not exist, unless options.overwrite is
+  /// set.
   explicit VtkHdfSeries(std::filesystem::path path, VtkHdfOptions options = {})
       : file_(std::move(path)), options_(std::move(options)) {
     if (writes_) attempt(file_.file(), "create it", [&] { create(); });
   }
-  /// Continues a series after a restart: the file is replaced by a copy of `from`, which may be the same file, without
-  /// the steps after `time` (s). Throws std::runtime_error if the file cannot be read or contains no such series.
+  /// Returns a series that continues after a restart: the file at `path` is replaced by a copy of `from` (which may be
+  /// the same file) without the steps after `time` (s). Throws std::runtime_error if `from` cannot be read or contains
+  /// no such series.
   static VtkHdfSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 VtkHdfOptions options = {}) {
     return {from, time, std::move(path), std::move(options)};
   }
 
-  /// Throws std::runtime_error if continued() would, as far as the content of the file decides that.
+  /// Throws the std::runtime_error that continued() would throw because of the content of the file.
   static void check(std::filesystem::path const& path) {
     attempt(path, "read it", [&] {
       hdf5::Handle const file = open(path, H5F_ACC_RDONLY);
@@ -75,10 +77,10 @@ class VtkHdfSeries {
     });
   }
 
-  /// Adds the step at `time`, larger than the last one's; any unit, the same for all steps.
-  /// xyz: 3 n coordinates, particle by particle (in 2D give a constant third one). fields: n * components values each,
-  /// the same names, components and number types in the same order at every step. Numbers are stored in the precision
-  /// that the first step has.
+  /// Appends the step at `time`, which must be later than the last step (in any unit, the same for all steps). `xyz`
+  /// holds 3 n coordinates, particle by particle (in 2D, with a constant third coordinate). Each of the `fields` has n
+  /// * components values; their names, components and number types must be the same, in the same order, at every step.
+  /// Numbers are stored in the precision of the first step.
   void append(double time, PointCoordinates const& xyz, std::span<PointField const> fields) {
     check_arguments(time, xyz, fields);
     if (!writes_) {
@@ -112,9 +114,9 @@ class VtkHdfSeries {
     std::visit([&](auto const& xyz) { append(data.time, std::span(xyz), fields); }, data.xyz);
   }
 
-  /// The number of states in the file.
+  /// Returns the number of steps in the file.
   std::size_t steps() const { return step_.index; }
-  /// The file that is written.
+  /// Returns the path of the file.
   std::filesystem::path const& path() const { return file_.file(); }
 
  private:
@@ -171,7 +173,7 @@ class VtkHdfSeries {
     return {hdf5::check(H5Fopen(path.c_str(), flags, access)), H5Fclose};
   }
 
-  /// Writes a step, and returns the position of the step after it.
+  /// Writes a step and returns the position of the next one.
   detail::StepPosition write_step(std::filesystem::path const& path, double time, PointCoordinates const& xyz,
                                   std::span<PointField const> fields) const {
     detail::StepPosition next = step_;
@@ -218,7 +220,7 @@ class VtkHdfSeries {
   VtkHdfOptions options_;
   detail::StepPosition step_;
   std::vector<detail::FieldLayout> columns_;
-  std::vector<std::string> names_;  // of a continued series, until its next step
+  std::vector<std::string> names_;  // names of fields of a continued series, until its next step
   std::size_t chunk_rows_ = 0;
 };
 

@@ -4,7 +4,7 @@
 
 #include "vtkhdf_layout.hpp"
 
-// Continuing a series: finding the last step in its file, and removing steps that will be written again.
+// Functions to continue a series: they find the last step in its file and remove steps that will be written again.
 namespace scree::detail {
 
 inline std::vector<std::string> names_in(hid_t group) {
@@ -24,14 +24,14 @@ inline std::int64_t number_of_steps(hid_t steps) {
   return number;
 }
 
-/// The position behind the last step that is not after `time`.
+/// Returns the position after the last step whose time is at most `time`.
 inline StepPosition position_after(hid_t root, double time) {
   hdf5::Handle const steps = hdf5::open_group(root, "Steps");
   StepPosition position;
   if (number_of_steps(steps) == 0) return position;
   auto const values = hdf5::read_rows<double>(steps, "Values");
   auto const in_order = values.begin() + std::min<std::ptrdiff_t>(number_of_steps(steps), std::ssize(values));
-  // Not after it, but for rounding.
+  // At most `time`, apart from rounding errors.
   auto const end =
       std::partition_point(values.begin(), in_order, [time](double value) { return value <= time * (1 + 1e-12); });
   if (end == values.begin()) return position;
@@ -52,7 +52,8 @@ inline void cut_tables(hid_t group, std::int64_t rows) {
   }
 }
 
-/// Removes all steps after `time`; returns where the next one goes. Vertices of removed steps may stay, unused.
+/// Removes all steps after `time` and returns the position of the next step. Vertices of removed steps may remain,
+/// unused.
 inline StepPosition cut_after(hid_t file, double time) {
   hdf5::Handle const root = hdf5::open_group(file, "VTKHDF");
   StepPosition const position = position_after(root, time);

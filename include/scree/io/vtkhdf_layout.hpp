@@ -18,27 +18,27 @@ namespace scree {
 
 /// Options of VTKHDF files.
 struct VtkHdfOptions {
-  bool overwrite = false;         ///< replace a file that is there
+  bool overwrite = false;         ///< replace an existing file
   bool single_precision = false;  ///< store positions and double fields as 32-bit floats
   int deflate = 0;                ///< zlib level: 0 (off, fastest) to 9
-  /// Name and text of the attributes of the group /scree: version, command line, case file, ...; a text that is too
-  /// long for an attribute (60 kB) is a dataset there.
+  /// Names and texts of the attributes of the group /scree: version, command line, case file, ... A text that is too
+  /// long for an attribute (60 kB) becomes a dataset of the group.
   std::vector<std::pair<std::string, std::string>> provenance = {};
 };
 
-/// Layout of the numbers in the file: VTK's "VTKHDF File Format" specification, version 2.0.
+/// The layout of the numbers in the file, according to VTK's "VTKHDF File Format" specification, version 2.0.
 namespace detail {
 
 inline constexpr std::array<char const*, 4> cell_groups = {"Vertices", "Lines", "Polygons", "Strips"};  // VTK's order
 
-/// The position of the next step, in rows. A part is VTK's unit of topology; steps with equal n share one.
+/// The position of the next step, in rows. A part is VTK's unit of topology; consecutive steps with equal n share one.
 struct StepPosition {
   std::size_t index = 0;
   double time = 0;
   std::int64_t point = 0;      // first row in Points and PointData
   std::int64_t part = -1;      // the part that holds the vertices
-  std::int64_t cell = 0;       // its first vertex
-  std::int64_t part_size = 0;  // its number of vertices
+  std::int64_t cell = 0;       // first vertex of this part
+  std::int64_t part_size = 0;  // number of vertices in this part
 
   void begin_part(std::int64_t n) {
     cell += part_size;
@@ -47,16 +47,15 @@ struct StepPosition {
   }
 };
 
-/// Rows stored together: whole steps where they are small, equal shares of a step where they are large, so that no
-/// chunk is written (and compressed) twice while n stays the same.
+/// Returns the number of rows in a chunk: a whole step or, if that exceeds 32768 rows, an equal share of it, so that no
+/// chunk is written (and compressed) twice while n stays the same. Steps of fewer than 256 rows share chunks.
 inline std::size_t chunk_rows(std::size_t n) {
   constexpr std::size_t least = 256, most = 32768;
   auto const shares = (n + most - 1) / most;
   return std::max(least, shares == 0 ? 0 : (n + shares - 1) / shares);
 }
 
-/// Upper bound on the bytes that a step of this number of rows adds to the file; the rows include a chunk that is not
-/// filled.
+/// Returns an upper bound on the bytes that a step adds to the file; `rows` includes a chunk that is not filled.
 inline std::uintmax_t bytes_of_rows(std::size_t rows, std::span<PointField const> fields) {
   constexpr std::size_t metadata = 1 << 18, metadata_of_field = 1 << 13, vertex = 16, position = 24, number = 8;
   std::size_t row = vertex + position;
@@ -84,7 +83,7 @@ inline void write_provenance(hid_t where, std::string const& name, std::string c
   hdf5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
 }
 
-/// Writes the part of the file that does not depend on n and the fields.
+/// Writes the part of the file that depends neither on n nor on the fields.
 inline void create_groups(hid_t file) {
   hdf5::Handle const root = hdf5::create_group(file, "VTKHDF");
   hsize_t const two = 2;
@@ -104,7 +103,7 @@ inline void create_groups(hid_t file) {
 
 struct TableOptions {
   std::size_t chunk_rows;
-  hid_t real;  ///< how positions are stored
+  hid_t real;  ///< HDF5 type of stored positions
   VtkHdfOptions const* options;
 };
 
@@ -116,7 +115,7 @@ inline hid_t stored_type(PointField const& field, bool single_precision) {
   return stored_real(std::holds_alternative<std::span<double const>>(field.values), single_precision);
 }
 
-/// The unit of a table for those who read the file with HDF5; VTK ignores it.
+/// Writes the unit of a field as an attribute for readers that use HDF5; VTK ignores it.
 inline void write_unit(hid_t where, PointField const& field) {
   if (field.unit.empty()) return;
   hdf5::Handle const table{hdf5::check(H5Dopen2(where, field.name.c_str(), H5P_DEFAULT)), H5Dclose};
@@ -156,14 +155,14 @@ inline void create_tables(hid_t root, std::span<PointField const> fields, TableO
   }
 }
 
-/// One row of a table of counters.
+/// Writes one row of a table of counters.
 inline void write_numbers(hid_t where, char const* name, std::int64_t row,
                           std::initializer_list<std::int64_t> numbers) {
   hdf5::write_rows(where, name, static_cast<hsize_t>(row),
                    std::span<std::int64_t const>(numbers.begin(), numbers.size()));
 }
 
-/// The vertices of a new part: one cell per particle, and an entry "no cells" in each other group.
+/// Writes the vertices of a new part: one cell per particle, and an entry without cells in each of the other groups.
 inline void write_part(hid_t root, StepPosition const& step) {
   std::vector<std::int64_t> ids(static_cast<std::size_t>(step.part_size) + 1);
   std::iota(ids.begin(), ids.end(), 0);
@@ -175,7 +174,7 @@ inline void write_part(hid_t root, StepPosition const& step) {
     auto const cells = used ? step.part_size : 0;
     write_numbers(group, "NumberOfCells", step.part, {cells});
     write_numbers(group, "NumberOfConnectivityIds", step.part, {cells});
-    // Offsets has one entry more than there are cells, in every part.
+    // In every part, Offsets has one more entry than there are cells.
     auto const first = static_cast<hsize_t>((used ? step.cell : 0) + step.part);
     hdf5::write_rows(group, "Offsets", first, offsets.first(static_cast<std::size_t>(cells) + 1));
     if (used) hdf5::write_rows(group, "Connectivity", static_cast<hsize_t>(step.cell), offsets.first(ids.size() - 1));
@@ -192,7 +191,7 @@ inline void write_particles(hid_t root, std::int64_t first_row, PointCoordinates
   }
 }
 
-/// Makes the step known to readers; NSteps comes last, because readers rely on it.
+/// Makes the step visible to readers. NSteps is written last, because readers rely on it.
 inline void write_step_entry(hid_t root, StepPosition const& step, std::span<PointField const> fields) {
   hdf5::Handle const steps = hdf5::open_group(root, "Steps");
   auto const row = static_cast<std::int64_t>(step.index);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 
 #include <unistd.h>
 
@@ -16,14 +16,15 @@
 
 namespace scree {
 
-/// Throws std::runtime_error "FILE: cannot WHAT: No space left on device" with the reason of the last system call.
+/// Throws std::runtime_error with the reason of the last system call: "FILE: cannot WHAT: No space left on device".
 [[noreturn]] inline void fail_with_errno(std::filesystem::path const& file, std::string_view what) {
   auto const reason = errno == 0 ? std::string("unknown reason") : std::generic_category().message(errno);
   throw std::runtime_error(file.string() + ": cannot " + std::string(what) + ": " + reason);
 }
 
-/// Replaces a file by `text` in one step: readers see the old content or the new one, also when the program or the
-/// disk fails in between. Does nothing unless writes_files(). Throws std::runtime_error with the file and the reason.
+/// Replaces the content of a file by `text` atomically: readers see either the old or the new content, even if the
+/// program or the disk fails meanwhile. Does nothing unless writes_files(). Throws std::runtime_error with the file and
+/// the reason.
 inline void write_file(std::filesystem::path const& file, std::string_view text) {
   if (!writes_files()) return;
   std::filesystem::path part = file;

@@ -14,7 +14,7 @@
 
 namespace scree {
 
-/// The text of an ESRI ASCII grid with the values of a raster, with six digits; NaN becomes the nodata_value.
+/// Returns the values of a raster, with six digits, as the text of an ESRI ASCII grid; NaN becomes NODATA_value.
 inline std::string to_asc(Raster const& raster) {
   double const half = raster.spacing / 2;
   std::string text =
@@ -28,8 +28,8 @@ inline std::string to_asc(Raster const& raster) {
     }
   return text;
 }
-/// Writes it to a file, which GIS programs and read_raster() open. Throws std::runtime_error with the file and the
-/// reason.
+/// Writes a raster to an ESRI ASCII grid, which GIS programs and read_raster() can open. Throws std::runtime_error with
+/// the file and the reason.
 inline void write_raster(std::filesystem::path const& file, Raster const& raster) { write_file(file, to_asc(raster)); }
 
 }  // namespace scree

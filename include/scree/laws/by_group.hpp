@@ -13,15 +13,16 @@
 
 namespace scree {
 
-/// One constitutive law with the parameters of each group of particles, for layers of different materials:
+/// A constitutive law with different parameters for each group of particles, for layers of different materials:
 ///
 ///     Groups<2> soil;
 ///     soil.add("sand", below).add("gravel", above);
 ///     ByGroup<MuOfI<>> law(soil);
 ///     law.set(soil.number("sand"), sand).set(soil.number("gravel"), gravel);
 ///
-/// The solver must be made from the groups. Every group needs its parameters. `Capacity` is the largest number of
-/// groups; a larger number adds no code to compile. A law with a modifier goes inside: ByGroup<VolumeMemory<MuOfI<>>>.
+/// The solver must be constructed from the same groups. Every group needs parameters. `Capacity` is the largest number
+/// of groups; a larger capacity adds no code to compile. A modifier goes inside ByGroup:
+/// ByGroup<VolumeMemory<MuOfI<>>>.
 template <class Law, int Capacity = 8>
 class ByGroup {
   static_assert(Capacity > 0, "ByGroup<Law, Capacity> needs room for at least one group");
@@ -36,9 +37,9 @@ class ByGroup {
   static constexpr bool circular = !requires { requires !Law::circular; };
   static constexpr bool takes_section = TakesSection<Law>;
 
-  /// A law without groups; check() refuses it.
+  /// Constructs a law without groups, for which check() throws.
   ByGroup() = default;
-  /// Throws std::invalid_argument if there are more groups than `Capacity`.
+  /// Constructs a law for these groups. Throws std::invalid_argument if there are more groups than `Capacity`.
   template <int Dim>
   explicit ByGroup(Groups<Dim> const& groups) : groups_(groups.count()) {
     if (groups_ > Capacity)
@@ -48,7 +49,7 @@ class ByGroup {
           Capacity, Capacity, groups_));
   }
   /// Sets the parameters of one group and returns this object, so that calls can be chained. Throws
-  /// std::invalid_argument for a group that does not exist.
+  /// std::invalid_argument if the group does not exist.
   ByGroup& set(int number, Law const& law) {
     if (number < 0 || number >= groups_)
       throw std::invalid_argument(
@@ -58,10 +59,11 @@ class ByGroup {
     return *this;
   }
   int groups() const { return groups_; }
-  /// The law of one group. A number out of range is clamped here, and Granular::validity() then stops the run.
+  /// Returns the law of one group. A number out of range is clamped; Granular::validity() then stops the run.
   SCREE_FN Law const& of(int number) const { return laws_[Kokkos::clamp(number, 0, Kokkos::max(0, groups_ - 1))]; }
 
-  /// Throws std::invalid_argument if there are no groups, if one has no parameters, or if they are out of range.
+  /// Throws std::invalid_argument if there are no groups, if a group has no parameters, or if a parameter is out of
+  /// range.
   void check() const {
     if (groups_ == 0)
       throw std::invalid_argument("scree: ByGroup has no groups: make it from those that the solver is made from");
@@ -73,7 +75,7 @@ class ByGroup {
     }
   }
 
-  /// The largest of all groups, m/s, of a law of constant stiffness.
+  /// Returns the largest speed of sound of all groups, m/s, for a law of constant stiffness.
   double largest_sound_speed() const requires ConstantStiffness<Law> {
     double largest = 0;
     for (int k = 0; k < groups_; ++k) largest = std::max(largest, double(laws_[k].sound_speed()));
@@ -101,7 +103,7 @@ class ByGroup {
                              Rates& rates) const requires EvolvesHistory<Law> {
     of(point[fields::group]).history_rate(sigma, L, point, rates);
   }
-  /// $\sqrt{J_2}$ at yield in plane shear at a pressure p, by the law of the group of a point, Pa.
+  /// Returns $\sqrt{J_2}$ (Pa) at yield in plane shear at a pressure p (Pa), by the law of the group of a point.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return of(point[fields::group]).shear_strength(p, point);

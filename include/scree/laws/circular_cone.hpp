@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The section of a circular cone, $\sqrt{J_2} = k p$ in all directions: that of Zhu et al. (2024).
+/// The section of a circular cone, $\sqrt{J_2} = k p$ in all directions, as in Zhu et al. (2024).
 struct CircularCone {
   template <class Real>
   SCREE_FN Real ratio(Real k, Real) const {
@@ -19,8 +19,8 @@ struct CircularCone {
 };
 
 namespace detail {
-/// A cohesionless law whose strength is $\sqrt{J_2} \le k p$ in plane shear, and as far as it takes no section in all
-/// directions; a law of another shape has a constant `circular` = false.
+/// Whether a law is cohesionless with the strength $\sqrt{J_2} \le k p$ in plane shear, and in all directions unless it
+/// takes a section. A law with a yield surface of another shape has a constant `circular` = false.
 template <class Law>
 concept OnCircularCone = Cohesionless<Law> && !requires {
   requires !Law::circular;

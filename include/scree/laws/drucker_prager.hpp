@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// Strength and flow parameters of a soil as laboratory tests give them. tan(phi) is its friction coefficient.
+/// Strength and flow parameters of a soil, as measured in laboratory tests. Its friction coefficient is tan(phi).
 struct MohrCoulomb {
   double friction_angle = 0;   ///< phi, rad
   double cohesion = 0;         ///< c, Pa
@@ -32,10 +32,10 @@ inline void check(MohrCoulomb const& soil) {
   check_setting(psi <= soil.friction_angle, "dilatancy_angle (rad) of MohrCoulomb", psi, "from 0 to friction_angle");
 }
 
-/// The cone that yields like this Mohr-Coulomb material in steady plane strain, where plastic flow stays in the plane,
-/// (s1 - s2)/2 = P sin(phi) + c cos(phi) with P the pressure in the plane, and that dilates there with the angle psi.
-/// For psi = phi it is the cone of Drucker & Prager (1952), k = friction_ratio(tan(phi)); for psi = 0 it is k =
-/// sin(phi): see docs/theory/laws.md.
+/// Returns the cone that yields like this Mohr-Coulomb material in steady plane strain, in which plastic flow stays in
+/// the plane: (s1 - s2)/2 = P sin(phi) + c cos(phi), with P the pressure in the plane. In plane strain the cone dilates
+/// with the angle psi. For psi = phi it is the cone of Drucker & Prager (1952), k = friction_ratio(tan(phi)); for psi =
+/// 0, k = sin(phi). See docs/theory/laws.md.
 inline Cone<double> plane_strain_cone(MohrCoulomb const& soil) {
   check(soil);
   double const k_psi = friction_ratio(std::tan(soil.dilatancy_angle)), sin_phi = std::sin(soil.friction_angle);
@@ -44,7 +44,7 @@ inline Cone<double> plane_strain_cone(MohrCoulomb const& soil) {
       .friction = sin_phi / all, .cohesion = soil.cohesion * std::cos(soil.friction_angle) / all, .dilatancy = k_psi};
 }
 
-/// The cone through the edges of triaxial compression, where the Mohr-Coulomb pyramid is strongest.
+/// Returns the cone through the triaxial compression edges of the Mohr-Coulomb pyramid, where the pyramid is strongest.
 inline Cone<double> compression_cone(MohrCoulomb const& soil) {
   check(soil);
   double const sin_phi = std::sin(soil.friction_angle), sin_psi = std::sin(soil.dilatancy_angle);
@@ -54,9 +54,9 @@ inline Cone<double> compression_cone(MohrCoulomb const& soil) {
           .dilatancy = psi_part * sin_psi};
 }
 
-/// Elastic, perfectly plastic material with the cone of Drucker & Prager (1952), $\sqrt{J_2} \le k p + k_c$, as yield
-/// surface and the plastic potential $\sqrt{J_2} - k_{\psi} p$. Its tension is limited to p = -k_c/k; TensionCutoff
-/// sets a lower limit.
+/// Elastic, perfectly plastic material with the cone of Drucker & Prager (1952), $\sqrt{J_2} \le k p + k_c$, as its
+/// yield surface and with the plastic potential $\sqrt{J_2} - k_{\psi} p$. Tension is limited to p = -k_c/k;
+/// TensionCutoff limits it further.
 struct DruckerPrager {
   Elastic elastic = {};    ///< stiffness and density
   Cone<double> cone = {};  ///< plane_strain_cone(...), compression_cone(...), or {.friction = friction_ratio(mu)}
@@ -78,7 +78,7 @@ struct DruckerPrager {
                                           Point const& point) const {
     return elastic.stress_rate(sigma, L, point);
   }
-  /// $\sqrt{J_2}$ at yield at a pressure p, Pa.
+  /// Returns $\sqrt{J_2}$ (Pa) at yield at a pressure p (Pa).
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const&) const {
     return Kokkos::max(Real(cone.friction) * p + Real(cone.cohesion), Real(0));

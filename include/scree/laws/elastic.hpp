@@ -7,9 +7,9 @@
 
 namespace scree {
 
-/// Linear elasticity in rate form with the Jaumann rate, so that rigid rotation only rotates the stress: $d\sigma/dt =
-/// \omega \sigma - \sigma \omega + 2 G e + K \operatorname{tr}(\varepsilon) I$, with eps and omega the symmetric and
-/// antisymmetric parts of L and e the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) for its eps_v).
+/// Linear elasticity in rate form with the Jaumann rate, so that a rigid rotation only rotates the stress: $d\sigma/dt
+/// = \omega \sigma - \sigma \omega + 2 G e + K \operatorname{tr}(\varepsilon) I$, with eps and omega the symmetric and
+/// antisymmetric parts of L and e the deviator of eps (Zhu et al. 2024, eq. 2.16 with tr(eps) in place of eps_v).
 struct Elastic {
   double young = 0;         ///< E
   double poisson = 0;       ///< nu
@@ -27,7 +27,7 @@ struct Elastic {
   /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this); }
   SCREE_FN double bulk_modulus() const { return young / (3 * (1 - 2 * poisson)); }
-  /// The shear modulus, Pa.
+  /// Returns the shear modulus, Pa.
   SCREE_FN double shear_modulus() const { return young / (2 * (1 + poisson)); }
   SCREE_FN double density() const { return rest_density; }
   SCREE_FN double sound_speed() const {
@@ -40,12 +40,12 @@ struct Elastic {
     Mat<3, Real> const eps = (L + transposed(L)) / 2;
     return rate_of_rotation(sigma, L) + 2 * G * eps + (K - 2 * G / 3) * trace(eps) * identity_matrix<Mat<3, Real>>();
   }
-  /// Infinite: an elastic material does not yield.
+  /// Returns infinity: an elastic material does not yield.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real, Point const&) const {
     return Kokkos::Experimental::infinity_v<Real>;
   }
-  /// Every stress is admissible, also NaN.
+  /// Returns the trial stress unchanged, even if it is NaN: every stress is admissible.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const&, History&&) const {
     return trial;

@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// The grains of a law, as a value:
-///   reads                  fields of the point that their size depends on; Fields<> if none
+/// The grain sizes of a law are a struct with these members:
+///   reads                  fields of the point that the grain size depends on; Fields<> if there are none
 ///   mean_diameter(point)   the mean diameter of the grains at a point, m
 template <class G>
 concept GrainSizes = requires(G const& grains, Record<detail::AnyPoint, reads_of<G>> const& point) {
@@ -36,7 +36,7 @@ struct UniformGrains {
   }
 };
 
-/// Grains of two sizes: d_avg = d_S C + d_L (1 - C) with C the concentration of the small ones, 0 to 1 (Zhu et al.
+/// Grains of two sizes: d_avg = d_S C + d_L (1 - C), with C the concentration of the small grains, 0 to 1 (Zhu et al.
 /// 2024, below eq. 2.7).
 struct BidisperseGrains {
   double d_small = 0;  ///< d_S
@@ -68,8 +68,8 @@ struct PolydisperseGrains {
   }
 };
 
-/// The largest diameter of the grains of a law, m; of a law by group, of those of all groups. 0 for laws without grains
-/// and for grains of a user.
+/// Returns the largest grain diameter of a law, m; for ByGroup the largest of all groups. It is 0 for laws without
+/// grains and for user-defined grains.
 template <class Law>
 double largest_diameter(Law const& law) {
   double largest = 0;

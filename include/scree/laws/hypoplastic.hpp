@@ -9,7 +9,7 @@ namespace scree {
 
 /// Rate of the void ratio.
 struct VoidRatioRate : Scalar<"void ratio rate", "1/s"> {};
-/// Volume of voids over volume of grains, e.
+/// Void ratio e: volume of voids over volume of grains.
 struct VoidRatio : Scalar<"void ratio", "1"> {
   using rate = VoidRatioRate;
   static constexpr bool compensated = true;
@@ -21,16 +21,17 @@ inline constexpr VoidRatioRate void_ratio_rate{};
 inline constexpr VoidRatio void_ratio{};
 }  // namespace fields
 
-/// Void ratios of a sand at one pressure, -.
+/// Limiting and critical void ratios of a sand at a given pressure, dimensionless.
 template <class Real>
 struct VoidRatios {
   Real densest, critical, loosest;  ///< e_d, e_c, e_i
 };
 
-/// The hypoplastic law for sand of von Wolffersdorff (1996): the stress rate follows from the present stress, the void
-/// ratio and the strain rate, without elastic range and yield surface; stiffness, peak strength and dilatancy depend on
-/// pressure and density. The void ratio e is an internal variable, which must be set at the start. For monotonic
-/// deformation: under small cycles the law accumulates too much strain. See docs/theory/laws.md for the equations.
+/// The hypoplastic law for sand of von Wolffersdorff (1996). The stress rate is a function of the present stress, the
+/// void ratio and the strain rate, without an elastic range or a yield surface; stiffness, peak strength and dilatancy
+/// depend on pressure and density. The void ratio e is an internal variable, which must be set at the start. The law is
+/// suited to monotonic deformation: under small load cycles it accumulates too much strain. See docs/theory/laws.md for
+/// the equations.
 struct Hypoplastic {
   double critical_angle = 0;      ///< phi_c
   double granulate_hardness = 0;  ///< h_s
@@ -41,7 +42,7 @@ struct Hypoplastic {
   double alpha = 0;
   double beta = 0;
   double rest_density = 0;  ///< rho
-  /// The law has no stiffness at zero pressure: below this pressure it has the stiffness at it.
+  /// The pressure below which the stiffness is constant, because the law has no stiffness at zero pressure.
   double least_pressure = 10;
 
   using reads = Fields<>;
@@ -75,7 +76,7 @@ struct Hypoplastic {
   }
   SCREE_FN double density() const { return rest_density; }
 
-  /// The limits of the void ratio at a pressure (Pa), $e = e_0 \exp(-(3 p/h_s)^n)$ (Bauer 1996).
+  /// Returns the void ratios e_d, e_c and e_i at a pressure (Pa), $e = e_0 \exp(-(3 p/h_s)^n)$ (Bauer 1996).
   template <class Real>
   SCREE_FN VoidRatios<Real> void_ratios(Real p) const {
     Real const shrunk =
@@ -83,13 +84,13 @@ struct Hypoplastic {
     return {Real(e_d0) * shrunk, Real(e_c0) * shrunk, Real(e_i0) * shrunk};
   }
 
-  /// The bulk modulus, Pa, between those of isotropic loading and unloading.
+  /// Returns a bulk modulus, Pa, between those of isotropic loading and isotropic unloading.
   template <class Real, class Point>
   SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
     auto const at = state(sigma, Real(point[fields::void_ratio]));
     return at.stiffness * (sq(at.shape) + sq(at.a) / 3) / 3;
   }
-  /// An upper bound of the speeds of waves in all directions, of loading and unloading, m/s.
+  /// Returns an upper bound, m/s, on the speeds of loading and unloading waves in all directions.
   template <class Real, class Point>
   SCREE_FN Real sound_speed(StressTensor<Real> const& sigma, Point const& point) const {
     auto const at = state(sigma, Real(point[fields::void_ratio]));
@@ -108,18 +109,19 @@ struct Hypoplastic {
     return rate_of_rotation(sigma, L) + at.stiffness * (sq(at.shape) * D + sq(at.a) * work * T +
                                                         nonlinear * (2 * T - identity_matrix<Mat<3, Real>>() / 3));
   }
-  /// $de/dt = (1 + e) \operatorname{tr} D$: grains keep their volume.
+  /// Sets the rate of the void ratio, $de/dt = (1 + e) \operatorname{tr} D$: grains keep their volume.
   template <class Real, class Point, class Rates>
   SCREE_FN void history_rate(StressTensor<Real> const&, Mat<3, Real> const& L, Point const& point, Rates& rates) const {
     using namespace fields;
     rates[void_ratio_rate] = (1 + Real(point[void_ratio])) * trace(L);
   }
-  /// The law holds for grains in contact: no principal stress may be tensile or below a hundredth of the pressure. The
-  /// void ratio may not exceed e_i, which limits the pressure; above e_i0 the stress is zero.
+  /// Returns the trial stress, limited to stresses for which the law is valid, that is, for grains in contact: each
+  /// principal stress is compressive and at least a hundredth of the pressure. The pressure is limited so that the void
+  /// ratio does not exceed e_i; for void ratios above e_i0 the stress is zero.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
     Real const p = Kokkos::min(pressure_of(trial), largest_pressure(Real(point[fields::void_ratio])));
-    // A NaN fails the comparison.
+    // NaN fails the comparison.
     if (!(p > 0)) return zero<StressTensor<Real>>();
     StressTensor<Real> const s = deviator_of(trial);
     Real const tension = largest_principal(s), most = Real(0.99) * p;
@@ -128,7 +130,7 @@ struct Hypoplastic {
   }
 
  private:
-  /// The stress over its trace, T, and the factors of the law, for the functions above.
+  /// The stress divided by its trace, T, and the factors of the law.
   template <class Real>
   struct State {
     StressTensor<Real> ratio;
@@ -143,14 +145,14 @@ struct Hypoplastic {
     Real const sin_phi = Kokkos::sin(Real(critical_angle));
     return Kokkos::sqrt(Real(3) / 8) * (3 - sin_phi) / sin_phi;
   }
-  /// $3 + a^2 - \sqrt{3} a ((e_{i0} - e_{d0})/(e_{c0} - e_{d0}))^\alpha$.
+  /// Returns $3 + a^2 - \sqrt{3} a ((e_{i0} - e_{d0})/(e_{c0} - e_{d0}))^\alpha$.
   template <class Real>
   SCREE_FN Real normaliser() const {
     Real const a = parameter_a<Real>();
     Real const looseness = Kokkos::pow(Real((e_i0 - e_d0) / (e_c0 - e_d0)), Real(alpha));
     return 3 + sq(a) - Kokkos::sqrt(Real(3)) * a * looseness;
   }
-  /// -cos(3 theta) of a deviator: 1 in the direction of triaxial compression for T, -1 in that of extension.
+  /// Returns -cos(3 theta) of a deviator: 1 if T is in triaxial compression, -1 if it is in triaxial extension.
   template <class Real>
   SCREE_FN static Real lode(Mat<3, Real> const& s) {
     Real const norm2 = squared_norm(s), norm3 = norm2 * Kokkos::sqrt(norm2);
@@ -158,12 +160,12 @@ struct Hypoplastic {
     Mat<3, Real> const squared = s * s;
     return Kokkos::clamp(Kokkos::sqrt(Real(6)) * dot(squared, s) / norm3, Real(-1), Real(1));
   }
-  /// The largest principal value of a deviator.
+  /// Returns the largest principal value of a deviator.
   template <class Real>
   SCREE_FN static Real largest_principal(Mat<3, Real> const& s) {
     return Kokkos::sqrt(2 * squared_norm(s) / 3) * Kokkos::cos(Kokkos::acos(lode(s)) / 3);
   }
-  /// The pressure at which a void ratio is the loosest, Pa.
+  /// Returns the pressure, Pa, at which a void ratio equals the loosest one, e_i; it is not positive above e_i0.
   template <class Real>
   SCREE_FN Real largest_pressure(Real e) const {
     Real const shrinkage = Kokkos::log(Real(e_i0) / e);

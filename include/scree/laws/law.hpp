@@ -9,41 +9,42 @@
 
 #include <concepts>
 
-// A constitutive law is a struct of parameters with functions of one point. It does not know particles or indices.
+// A constitutive law is a struct of parameters whose functions are evaluated at one point. It knows nothing of
+// particles or indices.
 namespace scree {
 
-/// A point without fields. It serves laws that read none and have no internal variables.
+/// A point without fields, for laws that read no fields and have no internal variables.
 struct NoHistory {};
 
-/// Stress as laws see it: 3 x 3, symmetric, Pa, tension positive; in 2D the third direction is out of the plane.
+/// The stress tensor of laws: 3 x 3, symmetric, Pa, tension positive. In 2D the third direction is normal to the plane.
 template <class Real>
 using StressTensor = Mat<3, Real>;
 
-/// Pressure p = -tr(sigma)/3, Pa, compression positive.
+/// Returns the pressure p = -tr(sigma)/3, Pa, positive in compression.
 template <class Real>
 SCREE_FN Real pressure_of(StressTensor<Real> const& sigma) {
   return -trace(sigma) / 3;
 }
-/// Deviator s = sigma + p I.
+/// Returns the stress deviator s = sigma + p I.
 template <class Real>
 SCREE_FN StressTensor<Real> deviator_of(StressTensor<Real> const& sigma) {
   return sigma + pressure_of(sigma) * identity_matrix<StressTensor<Real>>();
 }
-/// $\sqrt{J_2} = \sqrt{s:s/2}$ of a deviator.
+/// Returns $\sqrt{J_2} = \sqrt{s:s/2}$ of a deviator s.
 template <class Real>
 SCREE_FN Real equivalent_shear_stress(StressTensor<Real> const& s) {
   return Kokkos::sqrt(squared_norm(s) / 2);
 }
-/// k_mu in $\sqrt{J_2} = k_{\mu} p$ for the friction coefficient mu of a Mohr-Coulomb material in plane strain with an
-/// associated flow rule: Zhu et al. (2024), eq. 2.12. With isochoric flow it is itself the ratio of shear stress to
-/// pressure in simple shear.
+/// Returns k_mu in $\sqrt{J_2} = k_{\mu} p$ for the friction coefficient mu of a Mohr-Coulomb material in plane strain
+/// with an associated flow rule: Zhu et al. (2024), eq. 2.12. If the flow is isochoric, k_mu is the ratio of shear
+/// stress to pressure in simple shear.
 template <class Real>
 SCREE_FN Real friction_ratio(Real mu) {
   return 3 * mu / Kokkos::sqrt(9 + 12 * mu * mu);
 }
 
-/// $\sigma \omega^T + \omega \sigma$ with the spin omega of L: the rate of a stress that only rotates with the
-/// material. An objective law adds it to the Jaumann rate that it gives.
+/// Returns $\sigma \omega^T + \omega \sigma$, with omega the spin of L: the rate of a stress that only rotates with the
+/// material. An objective law adds this rate to its Jaumann rate.
 template <class Real>
 SCREE_FN StressTensor<Real> rate_of_rotation(StressTensor<Real> const& sigma, Mat<3, Real> const& L) {
   Mat<3, Real> const omega = (L - transposed(L)) / 2, turned = omega * sigma;
@@ -86,46 +87,48 @@ concept GivesAdmissible = requires(L const& law, AnyStress const& sigma, PointOf
 };
 }  // namespace detail
 
-/// A law whose elastic moduli do not depend on the state: bulk_modulus() and sound_speed().
+/// Whether the elastic moduli of a law are independent of the state: it has bulk_modulus() and sound_speed().
 template <class L>
 concept ConstantStiffness = requires(L const& law) {
   { law.bulk_modulus() } -> std::convertible_to<double>;
   { law.sound_speed() } -> std::convertible_to<double>;
 };
-/// A law whose moduli depend on the state: bulk_modulus(sigma, point) and sound_speed(sigma, point).
+/// Whether the moduli of a law depend on the state: it has bulk_modulus(sigma, point) and sound_speed(sigma, point).
 template <class L>
 concept StiffnessOfState = requires(L const& law, StressTensor<double> const& sigma, detail::PointOf<L> const& point) {
   { law.bulk_modulus(sigma, point) } -> std::convertible_to<double>;
   { law.sound_speed(sigma, point) } -> std::convertible_to<double>;
 };
-/// A law with internal variables that have rates.
+/// Whether a law has internal variables with rates.
 template <class L>
 concept EvolvesHistory = !std::is_same_v<rates_of_evolved<typename L::history>, Fields<>>;
 
-/// A constitutive law. All functions but density() are of one point:
-///   reads                               fields of the point that the law depends on, without the stress; Fields<> if
-///                                       none
-///   history                             fields of its internal variables; Fields<> if it has none. One that names a
-///                                       `rate` is integrated in time like the stress
-///   density()                           the density at rest, kg/m^3; of a law for several materials:
-///   density(point)                      the density at rest of the material of a point, kg/m^3
+/// A constitutive law. Its functions, except those without arguments, are evaluated at one point:
+///   reads                               fields of the point that the law depends on, except the stress; Fields<> if
+///                                       there are none
+///   history                             fields of its internal variables; Fields<> if there are none. A field that
+///                                       names a `rate` is integrated in time, like the stress
+///   density()                           the density at rest, kg/m^3, of a law for one material
+///   density(point)                      the density at rest at a point, kg/m^3, of a law for several materials, in
+///                                       place of density()
 ///   bulk_modulus()                      the bulk modulus, Pa, of a law of constant stiffness
 ///   sound_speed()                       the speed of compression waves, m/s, of a law of constant stiffness
-///   bulk_modulus(sigma, point)          the bulk modulus at a stress, Pa, above 0 also for zero stress
-///   sound_speed(sigma, point)           the speed of compression waves at a stress, m/s, above 0 also for zero stress
+///   bulk_modulus(sigma, point)          the bulk modulus at a stress, Pa, above 0 even at zero stress
+///   sound_speed(sigma, point)           the speed of compression waves at a stress, m/s, above 0 even at zero stress
 ///   stress_rate(sigma, L, point)        the rate of the stress, Pa/s, symmetric, for the velocity gradient
 ///                                       L_ab = du_a/dx_b (1/s)
-///   history_rate(sigma, L, point, rates)  only where a field of `history` names a rate: sets each of these rates
-///   admissible(trial, point, memory)    return mapping: the stress that the material can carry, from the trial stress
-///                                       of the rate alone. `memory` takes the new history; it starts with the old one.
-///                                       A NaN gives zero stress or NaN, never a stress beyond yield
-/// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() its shear rate is the present
-/// one; other fields that passes compute have the values of the last evaluation of the rates.
-/// Functions return evaluated tensors: an Eigen expression would outlive the values it refers to.
-/// Laws with a yield surface also have shear_strength(p, point), $\sqrt{J_2}$ at yield in plane shear at a pressure p
-/// (Pa); on a circular cone it is the same in all directions.
-/// A law of grains without cohesion says so by a constant, `cohesionless` = true, see Cohesionless. One that gives the
-/// strength of sand in space takes the section of its point, `takes_section` = true, see TakesSection.
+///   history_rate(sigma, L, point, rates)  only if a field in `history` names a rate: sets each of these rates
+///   admissible(trial, point, memory)    return mapping: returns the stress that the material can carry, given the
+///                                       trial stress that results from the rate alone. `memory` holds the old history
+///                                       and takes the new one. For NaN it returns zero stress or NaN, never a stress
+///                                       beyond yield
+/// `point` holds the fields in `reads` and `history`. In stress_rate() and history_rate() the shear rate of the point
+/// is that of the present state; other fields computed by passes have their values from the last evaluation of the
+/// rates. Functions return evaluated tensors, because an Eigen expression would outlive the values that it refers to. A
+/// law with a yield surface also has shear_strength(p, point), which returns $\sqrt{J_2}$ (Pa) at yield in plane shear
+/// at a pressure p (Pa); on a circular cone it is the same in all directions. A law for cohesionless grains has a
+/// constant `cohesionless` = true, see Cohesionless. A law with the strength of sand in 3D uses the section of its
+/// point and has a constant `takes_section` = true, see TakesSection.
 template <class L>
 concept ConstitutiveLaw = detail::NamesFields<L> &&
                           (detail::GivesDensity<L> || detail::GivesDensityOfPoint<L>)&&detail::GivesStressRate<L> &&
@@ -133,15 +136,15 @@ concept ConstitutiveLaw = detail::NamesFields<L> &&
                            StiffnessOfState<L>)&&(!EvolvesHistory<L> ||
                                                   detail::GivesHistoryRate<L>)&&detail::GivesAdmissible<L>;
 
-/// A law that says that its material cannot bear tension. Its pressure follows the packing where grains flow or bear
-/// nothing unless the models of Granular name another volume control.
+/// Whether a law declares that its material cannot bear tension. For a cohesionless law the pressure follows the
+/// packing where grains flow or carry no load, unless the models of Granular name another volume control.
 template <class L>
 concept Cohesionless = requires {
   requires L::cohesionless;
 };
 
 namespace detail {
-/// One message for each missing part of a law.
+/// Returns whether a type is a constitutive law. Each missing part fails a static assertion with its own message.
 template <class L>
 constexpr bool explain_law() {
   static_assert(NamesFields<L> || IsRefused<L>,
@@ -168,7 +171,7 @@ constexpr bool explain_law() {
 }
 }  // namespace detail
 
-/// The bulk modulus of a law at a point, Pa.
+/// Returns the bulk modulus of a law at a point, Pa.
 template <class Law, class Real, class Point>
 SCREE_FN Real bulk_modulus_at(Law const& law, [[maybe_unused]] StressTensor<Real> const& sigma,
                               [[maybe_unused]] Point const& point) {
@@ -177,7 +180,7 @@ SCREE_FN Real bulk_modulus_at(Law const& law, [[maybe_unused]] StressTensor<Real
   else
     return Real(law.bulk_modulus(sigma, point));
 }
-/// The speed of compression waves of a law at a point, m/s.
+/// Returns the speed of compression waves of a law at a point, m/s.
 template <class Law, class Real, class Point>
 SCREE_FN Real sound_speed_at(Law const& law, [[maybe_unused]] StressTensor<Real> const& sigma,
                              [[maybe_unused]] Point const& point) {

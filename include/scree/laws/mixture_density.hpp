@@ -13,17 +13,17 @@
 
 namespace scree {
 
-/// A law for a mixture of N species with densities of their own, $\rho = \sum_k C_k \rho_k$: the mass of a particle
-/// follows its composition, its volume does not.
+/// A law for a mixture of N species with different densities, $\rho = \sum_k C_k \rho_k$. The mass of a particle
+/// depends on its composition; its volume does not.
 ///
 ///     struct Models : GranularModels { using law = MixtureDensity<MuOfI<PolydisperseGrains<3>>, 3>; };
 ///     using physics = Combined<Granular<Models>, SpeciesSegregation<SizeDensityClosure<3>>>;
 ///
-/// The stiffness is that of the law for all mixtures, the speed of sound goes as $1/\sqrt{\rho}$. The density of the
-/// law is the one that its other parameters belong to: all species are packed alike, so that the density of the grains
-/// in the inertial number of MuOfI is `grain_density` times rho over the density of the law. A law of your own that
-/// reads the density of its grains multiplies it by relative_density_of(point). Modifiers such as VolumeMemory may be
-/// inside or around it; within ByGroup it cannot be.
+/// All mixtures have the stiffness of the law, and the speed of sound is proportional to $1/\sqrt{\rho}$. The density
+/// of the law must be the one for which its other parameters hold. All species are assumed to have the same packing, so
+/// that the grain density in the inertial number of MuOfI is `grain_density` times rho over the density of the law. A
+/// user-defined law that uses the density of its grains multiplies it by relative_density_of(point). Modifiers such as
+/// VolumeMemory may be inside or around MixtureDensity; MixtureDensity cannot be inside ByGroup.
 template <class Law, int N>
 struct MixtureDensity : Law {
   static_assert(detail::explain_law<Law>());
@@ -31,7 +31,7 @@ struct MixtureDensity : Law {
                 "the law in MixtureDensity needs density(), one density that its other parameters belong to");
 
   static constexpr int species_of_density = N;
-  Vec<N, double> densities = zero<Vec<N, double>>();  ///< rho_k, bulk density at rest of each species alone, kg/m^3
+  Vec<N, double> densities = zero<Vec<N, double>>();  ///< rho_k, bulk density at rest of each pure species, kg/m^3
 
   using reads = Merge<Fields<Concentrations<N>>, reads_of<Law>>;
   using history = typename Law::history;
@@ -42,10 +42,10 @@ struct MixtureDensity : Law {
     detail::check_response(static_cast<Law const&>(*this));
     check_densities<N>(densities, "MixtureDensity");
   }
-  /// The density of a mixture, kg/m^3.
+  /// Returns the density of a mixture, kg/m^3.
   template <class Real>
   SCREE_FN double density_of(Vec<N, Real> const& C) const {
-    // By differences, so that equal densities give this density to the last bit.
+    // Summing differences gives exactly this density if all densities are equal.
     double const last = densities[N - 1];
     double rho = last;
     for (int k = 0; k < N - 1; ++k) rho += double(C[k]) * (densities[k] - last);
@@ -55,13 +55,13 @@ struct MixtureDensity : Law {
   SCREE_FN double density(Point const& point) const {
     return density_of(point[fields::concentrations<N>]);
   }
-  /// The speed of sound of the lightest species, m/s, of a law of constant stiffness.
+  /// Returns the speed of sound of the lightest species, m/s, for a law of constant stiffness.
   double largest_sound_speed() const requires ConstantStiffness<Law> {
     double lightest = densities[0];
     for (int k = 1; k < N; ++k) lightest = std::min(lightest, densities[k]);
     return Law::sound_speed() * std::sqrt(Law::density() / lightest);
   }
-  /// $\rho c^2$, Pa, that of the law for all mixtures, of a law of constant stiffness.
+  /// Returns $\rho c^2$, Pa, which is the same for all mixtures, for a law of constant stiffness.
   double modulus_of_waves() const requires ConstantStiffness<Law> { return Law::density() * sq(Law::sound_speed()); }
   template <class Real, class Point>
   SCREE_FN Real bulk_modulus(StressTensor<Real> const& sigma, Point const& point) const {
@@ -82,7 +82,7 @@ struct MixtureDensity : Law {
                              Rates& rates) const requires EvolvesHistory<Law> {
     Law::history_rate(sigma, L, of_mixture(point), rates);
   }
-  /// $\sqrt{J_2}$ at yield in plane shear at a pressure p, Pa.
+  /// Returns $\sqrt{J_2}$ (Pa) at yield in plane shear at a pressure p (Pa).
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return Law::shear_strength(p, of_mixture(point));

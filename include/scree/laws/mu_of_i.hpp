@@ -11,8 +11,8 @@
 
 namespace scree {
 namespace detail {
-/// The length d in the inertial number $\dot\gamma d \sqrt{\rho_s/p}$ with the density rho_s of the law, m: the mean
-/// diameter, times the root of the relative density of a mixture.
+/// Returns the length d (m) in the inertial number $\dot\gamma d \sqrt{\rho_s/p}$, in which rho_s is the grain density
+/// of the law: the mean diameter, times the square root of the relative density for a mixture.
 template <class Grains, class Point>
 SCREE_FN double inertial_length(Grains const& grains, Point const& point) {
   if constexpr (KnowsRelativeDensity<Point>)
@@ -20,7 +20,7 @@ SCREE_FN double inertial_length(Grains const& grains, Point const& point) {
   else
     return grains.mean_diameter(point);
 }
-/// k_mu at a point of a law with `friction(p, gamma_dot, d)` and grains, for a pressure (Pa).
+/// Returns k_mu of a law with grains and `friction(p, gamma_dot, d)`, at a point and a pressure (Pa).
 template <class Law, class Real, class Point>
 SCREE_FN Real friction_ratio_of(Law const& law, Real p, Point const& point) {
   return friction_ratio(law.friction(p, Real(point[fields::shear_rate]), Real(inertial_length(law.grains, point))));
@@ -35,15 +35,15 @@ constexpr bool explain_grains() {
 
 /// Elastoplastic granular material whose friction depends on the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$,
 /// with the yield surface $\sqrt{J_2} \le k_\mu p$ and $\mu = \mu_s + (\mu_d - \mu_s) \dot\gamma/(I_0 \sqrt{p/(\rho_s
-/// d^2)} + \sqrt{\dot\gamma^2 + \lambda^2})$ (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). Cohesionless; flow
-/// is isochoric. The surface is a circular cone, or has the section of its point, which touches it in plane shear: that
-/// of MatsuokaNakai in space unless the models of Granular name another one. The density of `elastic` is the bulk
-/// density of grains and voids together.
+/// d^2)} + \sqrt{\dot\gamma^2 + \lambda^2})$ (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). The material is
+/// cohesionless, and its flow is isochoric. The yield surface is a circular cone, or has the section that the point
+/// names, which touches the cone in plane shear: MatsuokaNakai in 3D unless the models of Granular name another
+/// section. The density in `elastic` is the bulk density of grains and voids together.
 template <class GrainModel = UniformGrains>
 struct MuOfI {
   static constexpr bool cohesionless = true;
   static constexpr bool takes_section = true;
-  static constexpr double largest_friction = 10;  ///< mu_s and mu_d are at most this; that of sand is 0.3 to 1
+  static constexpr double largest_friction = 10;  ///< upper limit of mu_s and mu_d; for sand they are 0.3 to 1
   Elastic elastic = {};                           ///< stiffness and density
   GrainModel grains = {};                         ///< the diameter of the grains
   double mu_s = 0.382;                            ///< tangent of a friction angle, 0 to 10
@@ -80,12 +80,12 @@ struct MuOfI {
   SCREE_FN double density() const { return elastic.density(); }
   SCREE_FN double sound_speed() const { return elastic.sound_speed(); }
 
-  /// mu for a pressure (Pa; below zero counts as zero), a shear rate (1/s) and a grain diameter (m).
+  /// Returns mu for a pressure (Pa; a negative pressure is taken as zero), a shear rate (1/s) and a grain diameter (m).
   template <class Real>
   SCREE_FN Real friction(Real p, Real gamma_dot, Real d) const {
     return friction_rising_by(Real(mu_d - mu_s), p, gamma_dot, d);
   }
-  /// The friction, as friction() gives it, with another rise in place of mu_d - mu_s.
+  /// Returns the friction coefficient of friction() with `rise` in place of mu_d - mu_s.
   template <class Real>
   SCREE_FN Real friction_rising_by(Real rise, Real p, Real gamma_dot, Real d) const {
     Real const lambda = Real(regularisation);
@@ -97,19 +97,20 @@ struct MuOfI {
                                           Point const& point) const {
     return elastic.stress_rate(sigma, L, point);
   }
-  /// $\sqrt{J_2}$ at yield in plane shear at a pressure p and the present shear rate, Pa.
+  /// Returns $\sqrt{J_2}$ (Pa) at yield in plane shear at a pressure p (Pa) and the present shear rate.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return detail::friction_ratio_of(*this, p, point) * Kokkos::max(p, Real(0));
   }
-  /// mu follows from the pressure of the trial stress, which the return mapping does not change.
+  /// Returns the stress on the yield surface, with mu at the pressure of the trial stress, which the return mapping
+  /// does not change.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&&) const {
     return return_to_yield(trial, detail::friction_ratio_of(*this, pressure_of(trial), point), point);
   }
 };
 
-/// A law whose grains have a mistake, which the compiler has already reported: nothing else of it is compiled.
+/// A law whose grain model has a mistake, which the compiler has already reported; the rest of the law is not compiled.
 template <class GrainModel>
 requires(!detail::explain_grains<GrainModel>()) struct MuOfI<GrainModel> {
   using refused = GrainModel;

@@ -10,15 +10,16 @@
 
 namespace scree {
 
-/// A law whose density follows the mixture, see MixtureDensity, also within a modifier.
+/// Whether the density of a law follows the mixture, see MixtureDensity; also true if MixtureDensity is inside a
+/// modifier.
 template <class Law>
 concept DensityOfMixture = requires(Law const& law) {
   requires Law::species_of_density >= 2;
   law.densities;
 };
 
-/// A point as a law in MixtureDensity sees it: with the density of its mixture over that of the law, and the section
-/// that it has otherwise.
+/// The point that MixtureDensity passes to its law: a point with the density of its mixture over the density of the
+/// law, and with its own section.
 template <class Point>
 struct PointOfMixture {
   using section = section_at<Point>;
@@ -30,13 +31,13 @@ struct PointOfMixture {
   }
 };
 
-/// A point that knows the density of its mixture.
+/// Whether a point has the relative density of its mixture.
 template <class Point>
 concept KnowsRelativeDensity = requires(Point const& point) {
   { point.relative_density } -> std::convertible_to<double>;
 };
 
-/// The density of the mixture at a point over the density of the law; 1 where all species have one density.
+/// Returns the density of the mixture at a point over the density of the law; 1 if all species have the same density.
 template <class Point>
 SCREE_FN double relative_density_of([[maybe_unused]] Point const& point) {
   if constexpr (KnowsRelativeDensity<Point>)

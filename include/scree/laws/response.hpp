@@ -11,24 +11,25 @@
 
 namespace scree::detail {
 
-/// Throws std::invalid_argument unless a number of a law is above 0 and finite.
+/// Throws std::invalid_argument unless a value of a law is above 0 and finite.
 [[gnu::cold]] void check_of_law(char const* name, double value);
-/// Throws std::invalid_argument for a stress (Pa), or a rate of it (Pa/s), of a compressed material that bears nothing.
+/// Throws std::invalid_argument if a stress (Pa) or stress rate (Pa/s) of a compressed material has no positive
+/// pressure or is not finite.
 [[gnu::cold]] void check_answer(AnyStress const& answer, char const* function, double trial, char const* what);
-/// Throws std::invalid_argument for the stress (Pa) of a cohesionless law that keeps a tension, for instance because it
-/// derives from a law without cohesion and adds some.
+/// Throws std::invalid_argument if the stress (Pa) of a law that is declared cohesionless is tensile, for instance
+/// because the law derives from a cohesionless one and adds cohesion.
 [[gnu::cold]] void check_no_tension(AnyStress const& answer, double trial);
 
-/// Whether a point without history, at rest, is a complete state for a law: values of other fields that it reads are
-/// not known here.
+/// Whether a point at rest without history is a complete state for a law, which is so if the law has no history and
+/// reads no field other than the shear rate.
 template <class Law>
 inline constexpr bool is_known_at_rest = std::is_same_v<typename Law::history, Fields<>>&&
     std::is_same_v<Without<typename Law::reads, Fields<ShearRate>>, Fields<>>;
 
-/// Throws std::invalid_argument for a law of constant stiffness whose density or moduli are not above 0, or that does
-/// not resist: compressed by 1e-6 and by 1e-3, its stress must keep a pressure, and grow when it is compressed further.
-/// A law that says that it has no cohesion must not keep a tension. Only density and moduli are checked for laws that
-/// read more than the shear rate or have a history.
+/// Throws std::invalid_argument if the density, the bulk modulus or the speed of sound of a law of constant stiffness
+/// is not above 0, or if the law does not resist compression: at strains of 1e-6 and 1e-3 the pressure must be
+/// positive, and it must grow under further compression. A law that is declared cohesionless must not bear tension. For
+/// laws that have a history or read fields other than the shear rate, the resistance is not checked.
 template <class Law>
 [[gnu::cold]] void check_response(Law const& law) {
   if constexpr (GivesDensity<Law>) check_of_law("density() (kg/m^3) of the law", law.density());
@@ -51,9 +52,9 @@ template <class Law>
   }
 }
 
-/// Throws std::invalid_argument for a law that says that it takes a section and has the same strength in compression
-/// and extension of one axis, for instance because it derives from a law that takes one and replaces its admissible().
-/// A law whose strength is not known at a point of zeros passes.
+/// Throws std::invalid_argument if a law is declared to take a section but has the same strength in triaxial
+/// compression and extension, for instance because it derives from a law that takes a section and replaces its
+/// admissible(). A law that has no strength at a point whose fields are all zero passes the check.
 template <TakesSection Law>
 [[gnu::cold]] void check_section(Law const& law) {
   using Point = PointOf<Law>;

@@ -10,16 +10,16 @@
 #include <stdexcept>
 #include <type_traits>
 
-// The section of a yield surface, across the hydrostatic axis: how the strength depends on the intermediate principal
-// stress.
+// The section of a yield surface, normal to the hydrostatic axis, describes how the strength depends on the
+// intermediate principal stress.
 namespace scree {
 
-/// The section of the yield surface of a law of friction, as a value without members:
-///   ratio(k, cosine)     $\sqrt{J_2}/p$ at yield for $\cos 3\theta$ of the deviator, see cosine_of_lode_angle(), where
-///                        it is k in plane shear
-///   least_ratio(k)       a bound of it from below for all directions; 0 is always one. Up to this bound ratio() is not
-///                        computed
-/// Both in the type of k, float or double.
+/// The section of the yield surface of a frictional law is an empty struct with these functions:
+///   ratio(k, cosine)     $\sqrt{J_2}/p$ at yield for $\cos 3\theta$ of the deviator, see cosine_of_lode_angle(); it is
+///                        k in plane shear
+///   least_ratio(k)       a lower bound on the ratio in all directions; 0 is always valid. For stresses up to this
+///                        bound ratio() is not evaluated
+/// Both functions return the type of k, float or double.
 template <class S>
 concept YieldSection = std::is_empty_v<S> && std::is_default_constructible_v<S> && requires(S const& section) {
   { section.ratio(1.0, 1.0) } -> std::same_as<double>;
@@ -28,14 +28,14 @@ concept YieldSection = std::is_empty_v<S> && std::is_default_constructible_v<S> 
   { section.least_ratio(1.0f) } -> std::same_as<float>;
 };
 
-/// A law whose admissible() gives a stress on the section of its point, by return_to_yield(); it says so by a constant,
-/// `takes_section` = true.
+/// Whether admissible() of a law uses the section of its point, by calling return_to_yield(); the law declares this by
+/// a constant `takes_section` = true.
 template <class Law>
 concept TakesSection = requires {
   requires Law::takes_section;
 };
 
-/// A point as a law sees it whose yield surface has a section.
+/// The point that is passed to a law if its yield surface has the section S.
 template <class Point, YieldSection S>
 struct PointOfSection {
   using section = S;
@@ -61,12 +61,12 @@ struct SectionAt<Point> {
 };
 }  // namespace detail
 
-/// The section of yield surfaces at a point: a circular cone unless the point says otherwise.
+/// The section of the yield surface at a point: a circular cone unless the point names another section.
 template <class Point>
 using section_at = typename detail::SectionAt<Point>::type;
 
-/// $\cos 3\theta$ of a deviator, $(3 \sqrt{3}/2) J_3/J_2^{3/2}$ with compression positive: 1 in triaxial compression,
-/// 0 in plane shear, -1 in triaxial extension; 0 without shear.
+/// Returns $\cos 3\theta$ of a deviator, $(3 \sqrt{3}/2) J_3/J_2^{3/2}$ with compression positive: 1 in triaxial
+/// compression, 0 in plane shear, -1 in triaxial extension, and 0 if there is no shear.
 template <class Real>
 SCREE_FN Real cosine_of_lode_angle(StressTensor<Real> const& s) {
   StressTensor<Real> const direction = s / equivalent_shear_stress(s);
@@ -75,12 +75,12 @@ SCREE_FN Real cosine_of_lode_angle(StressTensor<Real> const& s) {
 }
 
 namespace detail {
-/// Throws std::invalid_argument for a section whose ratio is not k in plane shear, or whose bound is above it in a
-/// direction. It computes the ratios once.
+/// Throws std::invalid_argument if the ratio of a section is not k in plane shear, or if its lower bound is negative or
+/// exceeds the ratio in some direction. The ratios are computed once.
 template <YieldSection S>
 [[gnu::cold]] void check_ratios() {
   auto const check = [] {
-    for (double k = 0.05; k < 0.86; k += 0.1) {  // ratios of friction stay below sqrt(3)/2
+    for (double k = 0.05; k < 0.86; k += 0.1) {  // friction ratios stay below sqrt(3)/2
       double const least = S{}.least_ratio(k), in_plane_shear = S{}.ratio(k, 0.0);
       if (!(std::abs(in_plane_shear - k) < 1e-9))
         throw std::invalid_argument(

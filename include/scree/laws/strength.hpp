@@ -4,8 +4,8 @@
 
 namespace scree {
 
-/// Whether a law yields on a cone without friction and cohesion, so that the material flows like a liquid; of a law by
-/// group, whether that of a group does. False for laws without a member `cone`.
+/// Returns whether a law yields on a cone with neither friction nor cohesion, so that the material flows like a liquid;
+/// for ByGroup, whether the law of any group does. Returns false for laws without a member `cone`.
 template <class Law>
 bool is_without_strength(Law const& law) {
   if constexpr (requires { law.cone.friction + law.cone.cohesion; }) {

@@ -11,9 +11,9 @@
 namespace scree {
 
 /// A law with its tension limited to p >= -tensile_strength. Beyond this limit the material opens: plastic flow is
-/// purely volumetric, so the deviator of the trial stress stays, or shrinks to the law's shear strength at that
-/// pressure if it yields there too. All other functions are inherited from the law, which is the base class and comes
-/// first: TensionCutoff<DruckerPrager>{{.elastic = ..., .cone = ...}, 500}.
+/// purely volumetric, so the deviator of the trial stress is kept, or reduced to the shear strength of the law at the
+/// limit if the deviator exceeds this strength. All other functions are inherited from the law, which is the base class
+/// and is initialised first: TensionCutoff<DruckerPrager>{{.elastic = ..., .cone = ...}, 500}.
 template <class Law>
 struct TensionCutoff : Law {
   double tensile_strength = 0;  ///< T, 0 or more, Pa
@@ -28,12 +28,14 @@ struct TensionCutoff : Law {
     detail::check_response(static_cast<Law const&>(*this));
     check_parameters(*this, "TensionCutoff");
   }
-  /// The shear strength of the law at a pressure p (Pa), and 0 in a tension above the tensile strength; Pa.
+  /// Returns the shear strength (Pa) of the law at a pressure p (Pa), and 0 if the tension exceeds the tensile
+  /// strength.
   template <class Real, class Point>
   SCREE_FN Real shear_strength(Real p, Point const& point) const {
     return p < -Real(tensile_strength) ? Real(0) : Law::shear_strength(p, point);
   }
-  /// The stress of the law, with its pressure brought to that of the tensile strength where the tension exceeds it.
+  /// Returns the stress of the law; if its tension exceeds the tensile strength, the pressure is set to minus the
+  /// tensile strength.
   template <class Real, class Point, class History>
   SCREE_FN StressTensor<Real> admissible(StressTensor<Real> const& trial, Point const& point, History&& memory) const {
     static_assert(
@@ -41,7 +43,7 @@ struct TensionCutoff : Law {
         "the law in TensionCutoff needs a function shear_strength(p, point), in Pa");
     Real const least = -Real(tensile_strength);
     StressTensor<Real> const borne = Law::admissible(trial, point, memory);
-    // A NaN stays as the law returned it.
+    // If the stress is NaN, it is returned unchanged.
     if (!(pressure_of(borne) < least)) return borne;
     StressTensor<Real> const s = deviator_of(trial);
     Real const tau = equivalent_shear_stress(s), strength = Law::shear_strength(least, point);

@@ -12,8 +12,8 @@
 
 namespace scree {
 
-/// A law whose friction follows from the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$:
-///   friction(p, gamma_dot, d)   mu for a pressure (Pa), a shear rate (1/s) and a diameter of the grains (m)
+/// Whether the friction of a law is a function of the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$. The law has
+///   friction(p, gamma_dot, d)   mu for a pressure (Pa), a shear rate (1/s) and a grain diameter (m)
 ///   grain_density               the density of the grains rho_s, kg/m^3
 template <class L>
 concept FrictionOfInertialNumber = requires(L const& law, double x) {
@@ -21,17 +21,17 @@ concept FrictionOfInertialNumber = requires(L const& law, double x) {
   { law.grain_density } -> std::convertible_to<double>;
 };
 
-/// k_mu of a law at an inertial number above 0, without the regularisation that acts at small shear rates.
+/// Returns k_mu of a law at an inertial number above 0, without the regularisation that acts at small shear rates.
 template <FrictionOfInertialNumber Law>
 double friction_ratio_at(Law const& law, double I) {
-  double const gamma_dot = 1e9, d = 1;  // 1/s, m: lambda is nothing against this shear rate
+  double const gamma_dot = 1e9, d = 1;  // 1/s, m: lambda is negligible compared with this shear rate
   return friction_ratio(double(law.friction(law.grain_density * sq(gamma_dot * d / I), gamma_dot, d)));
 }
 
-/// $C = k^2 (1 - r/2)^2 - 4 r (1 - r)$ with k = k_mu and r = (I/k) dk/dI, at an inertial number above 0. Below zero the
-/// equations of incompressible plane flow with this law are well-posed: short waves are damped. Above zero they are
-/// ill-posed: some waves grow, and the faster the shorter they are (Barker et al. 2015, whose mu is k_mu here; derived
-/// in docs/theory/laws.md). NaN for a law without friction.
+/// Returns $C = k^2 (1 - r/2)^2 - 4 r (1 - r)$ with k = k_mu and r = (I/k) dk/dI, at an inertial number above 0. If C
+/// is negative, the equations of incompressible plane flow with this law are well-posed: short waves are damped. If C
+/// is positive, they are ill-posed: some waves grow, and shorter waves grow faster (Barker et al. 2015, whose mu is
+/// k_mu here; derived in docs/theory/laws.md). C is NaN for a law without friction.
 template <FrictionOfInertialNumber Law>
 double ill_posedness(Law const& law, double I) {
   double const step = 1e-5, k = friction_ratio_at(law, I);
@@ -40,27 +40,28 @@ double ill_posedness(Law const& law, double I) {
   return sq(k * (1 - r / 2)) - 4 * r * (1 - r);
 }
 
-/// Inertial numbers between two ends, -.
+/// A range of inertial numbers, dimensionless.
 struct InertialNumbers {
   double from = 0;                                      ///< the lower end
   double to = std::numeric_limits<double>::infinity();  ///< the upper end
 };
 
 namespace detail {
-/// The ranges in which a function is below zero, searched as well_posed_inertial_numbers() says.
+/// Returns the ranges in which a function is below zero; the search is described at well_posed_inertial_numbers().
 [[gnu::cold]] std::vector<InertialNumbers> ranges_below_zero(std::function<double(double)> const& ill_posedness);
 }  // namespace detail
 
-/// The ranges of the inertial number in which a law is well-posed (see ill_posedness()), from the lowest one on: one
-/// for MuOfI, none if its friction rises too little. They are searched between 1e-8 and 1e6, in steps of 1/64 of a
-/// decade; a range that includes an end of this interval extends to 0 or infinity. The law must pass its check().
+/// Returns the ranges of the inertial number in which a law is well-posed (see ill_posedness()), in ascending order:
+/// one range for MuOfI, none if its friction rises too little. The interval from 1e-8 to 1e6 is searched in steps of
+/// 1/64 of a decade; a range that includes an end of this interval extends to 0 or infinity. The law must pass its
+/// check().
 template <FrictionOfInertialNumber Law>
 std::vector<InertialNumbers> well_posed_inertial_numbers(Law const& law) {
   return detail::ranges_below_zero([&](double I) { return ill_posedness(law, I); });
 }
 
-/// Whether a law has friction and is well-posed for no inertial number; of a law by group, whether that of a group is.
-/// False for laws whose friction does not follow from the inertial number.
+/// Returns whether a law has friction and is ill-posed at every inertial number; for ByGroup, whether this holds for
+/// the law of any group. Returns false for laws whose friction is not a function of the inertial number.
 template <class Law>
 bool is_never_well_posed(Law const& law) {
   if constexpr (FrictionOfInertialNumber<Law>) {

@@ -10,7 +10,7 @@
 namespace scree {
 
 SCREE_BODY std::vector<InertialNumbers> detail::ranges_below_zero(std::function<double(double)> const& ill_posedness) {
-  // The inertial number between two others at which a law becomes well-posed.
+  // Returns the inertial number between `ill` and `well` at which a law becomes well-posed.
   auto const neutral = [&](double ill, double well) {
     for (int halving = 0; halving < 40; ++halving) {
       double const middle = std::sqrt(ill * well);

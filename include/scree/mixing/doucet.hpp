@@ -16,8 +16,8 @@
 
 namespace scree {
 
-/// The position of a particle when mark_start() was called; zero for particles that were added afterwards. A
-/// formulation has `using carries = Fields<StartPosition>`.
+/// The position of a particle when mark_start() was called; zero for particles that were added later. A formulation
+/// needs `using carries = Fields<StartPosition>`.
 struct StartPosition : Vector<"start position", "m"> {
   static constexpr bool may_stay_zero = true;
 };
@@ -26,26 +26,27 @@ namespace fields {
 inline constexpr StartPosition start_position{};
 }  // namespace fields
 
-/// The correlation of the positions of particles with those at the start.
+/// The correlation between the current and the initial positions of particles.
 template <int Dim>
 struct DoucetIndex {
-  double index = std::numeric_limits<double>::quiet_NaN();      ///< 1: as at the start, 0: forgotten
-  double published = std::numeric_limits<double>::quiet_NaN();  ///< the same for coordinates as they are
-  Vec<Dim, double> direction = zero<Vec<Dim, double>>();        ///< of the largest correlation; of unit length
-  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();     ///< of each coordinate with each one at the start
-  double share = 0;  ///< of the volume of the material now that was there at the mark: the particles that count
+  double index = std::numeric_limits<double>::quiet_NaN();      ///< 1: as at the start, 0: no correlation
+  double published = std::numeric_limits<double>::quiet_NaN();  ///< the published index, for untransformed coordinates
+  Vec<Dim, double> direction = zero<Vec<Dim, double>>();        ///< unit vector of the largest correlation
+  Mat<Dim, double> correlations = zero<Mat<Dim, double>>();     ///< of each current with each initial coordinate
+  double share = 0;  ///< share of the current volume that was present at the mark
 };
 
 namespace detail {
 
-/// Whether a particle was there at the mark. A number that is not finite counts, so that its sum is refused.
+/// Whether a particle was present at the mark. True for a position that is not finite, so that the sum is rejected.
 template <class X>
 SCREE_FN bool was_marked(X const& start) {
   for (int a = 0; a < X::RowsAtCompileTime; ++a)
     if (!(start[a] == 0)) return true;
   return false;
 }
-/// The position; at the origin the least number above zero along the first axis, because zero means "not marked".
+/// An update that stores the position of a particle. At the origin, the first coordinate becomes the smallest number
+/// above zero, because zero means "not marked".
 struct TakeStart {
   using reads = Fields<Position>;
   using writes = Fields<StartPosition>;
@@ -58,7 +59,7 @@ struct TakeStart {
   }
 };
 
-/// V, V x and V x_0 of the particles that were there at the mark, and V of the others.
+/// V, V x and V x_0 of the particles that were present at the mark, and V of the other particles.
 template <int Dim>
 struct StartMeans {
   static constexpr int count = 2 + 2 * Dim;
@@ -76,7 +77,8 @@ struct StartMeans {
     return terms;
   }
 };
-/// V times the products of the deviations of all coordinates, x before x_0: the upper triangle, row by row.
+/// V times the products of the deviations of all coordinates from their means, x before x_0: the upper triangle, row by
+/// row.
 template <int Dim>
 struct StartProducts {
   static constexpr int count = Dim * (2 * Dim + 1);
@@ -99,7 +101,7 @@ struct StartProducts {
   }
 };
 
-/// The largest eigenvalue of C C^T and its eigenvector.
+/// Returns the largest eigenvalue of C C^T and its eigenvector.
 inline std::pair<double, Vec<3, double>> largest_of_square(Mat<3, double> const& C) {
   auto const found = principal<double>((C * transposed(C)).eval());
   int most = 0;
@@ -107,7 +109,8 @@ inline std::pair<double, Vec<3, double>> largest_of_square(Mat<3, double> const&
     if (found.values[a] > found.values[most]) most = a;
   return {found.values[most], Vec<3, double>(found.axes(0, most), found.axes(1, most), found.axes(2, most))};
 }
-/// The inverse root of a matrix of covariances; zero for coordinates without a variance, up to rounding.
+/// Returns the inverse square root of a covariance matrix; zero for principal axes without variance, apart from
+/// rounding errors.
 inline Mat<3, double> inverse_root(Mat<3, double> const& covariances) {
   auto const found = principal(covariances);
   double const largest = std::max({found.values[0], found.values[1], found.values[2]});
@@ -119,7 +122,7 @@ inline Mat<3, double> inverse_root(Mat<3, double> const& covariances) {
   }
   return root;
 }
-/// The correlations: covariances divided by the square roots of the variances; zero if a variance is zero.
+/// Returns the correlations: covariances divided by the square roots of the variances; zero if a variance is zero.
 inline Mat<3, double> correlations_of(Mat<3, double> const& covariances, Mat<3, double> const& of_rows,
                                       Mat<3, double> const& of_columns) {
   auto found = zero<Mat<3, double>>();
@@ -141,8 +144,8 @@ constexpr bool explain_start() {
 
 }  // namespace detail
 
-/// Notes where the particles are that are there now, for doucet_index(): at the start of a case, or when a bed has been
-/// poured and is at rest. A later call replaces the mark. A checkpoint keeps it.
+/// Stores the current positions of the particles as the mark for doucet_index(). Call this at the start of a case, or
+/// when a bed has been poured and is at rest. A later call replaces the mark. Checkpoints contain the mark.
 template <class S>
 void mark_start(S& solver) {
   if constexpr (detail::explain_start<S>())
@@ -150,22 +153,23 @@ void mark_start(S& solver) {
                                                                detail::TakeStart{});
 }
 
-/// The index of Doucet, Bertrand & Chaouki (2008) for mixing in the weak sense, which needs no concentration: with the
-/// matrix C of the correlations between the coordinates of the particles and those where they were at mark_start(), the
-/// largest eigenvalue of C C^T. `published` is this number over that at the start. It changes, up to the number of
-/// coordinates, when a bed that is wider than deep turns without mixing. `index` takes coordinates that are
-/// uncorrelated and have the same variance, now and at the start: the largest squared canonical correlation. It is the
-/// same in any axes, within [0, 1], and 1 as long as some coordinate is a linear function of those at the start, as
-/// after any rotation or shear. Particles that mixed in all but one direction have 1, and `direction` is that one. N
-/// particles at random places have about 1/N.
+/// Returns the index of Doucet, Bertrand & Chaouki (2008) for mixing in the weak sense, which needs no concentration:
+/// the largest eigenvalue of C C^T, where C is the matrix of the correlations between the current coordinates of the
+/// particles and their coordinates at mark_start(). `published` is this eigenvalue divided by its value at the start.
+/// `published` changes, to at most the number of coordinates, when a bed that is wider than deep rotates without
+/// mixing. `index` uses coordinates that are transformed to be uncorrelated and of equal variance, now and at the
+/// start: it is the largest squared canonical correlation. `index` does not depend on the axes, lies within [0, 1], and
+/// is 1 as long as some coordinate is a linear function of the initial coordinates, as after any rotation or shear. If
+/// the particles have mixed in all directions but one, `index` is 1 and `direction` is that direction. For N particles
+/// at random positions, `index` is about 1/N.
 ///
-/// Particles are weighted by volume. Only those that were present at the mark and are still present count: particles
-/// that were added later, or came through an inlet, do not count until the next mark, and particles that have left no
-/// longer count. `share` is the share of the volume that counts. All results are NaN if no particle counts. A
-/// coordinate that is the same for all particles has no correlations. Coordinates along a period jump at its ends, so
-/// the index is meaningless along that axis. The sums are computed on the device, with the same bits on any number of
-/// ranks (WholeBody). Throws std::runtime_error if a position is not finite, and std::invalid_argument if mark_start()
-/// was never called.
+/// Particles are weighted by volume. Only particles that were present at the mark and are still present are included:
+/// particles that were added later or entered through an inlet are excluded until the next mark, and particles that
+/// have left are excluded. `share` is the included share of the volume. If no particle is included, `index` and
+/// `published` are NaN. A coordinate that is the same for all particles has zero correlations. Along a periodic axis
+/// the index is meaningless, because coordinates jump at the ends of the period. The sums are computed on the device
+/// and are bitwise identical on any number of ranks (WholeBody). Throws std::runtime_error if a position is not finite,
+/// and std::invalid_argument if mark_start() was never called.
 template <class S>
 auto doucet_index(S const& solver) {
   constexpr int dim = S::policy::dim;

@@ -9,18 +9,18 @@
 
 namespace scree {
 
-/// The separation of the kinds of grains, particle by particle.
+/// The separation of the kinds of grains, evaluated particle by particle.
 template <int Kinds>
 struct SegregationIntensity {
-  double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: apart; NaN if there is one kind alone
+  double value = std::numeric_limits<double>::quiet_NaN();   ///< 0: mixed, 1: separated; NaN for a single kind
   Vec<Kinds, double> mean = zero<Vec<Kinds, double>>();      ///< share of each kind in the material
-  Vec<Kinds, double> variance = zero<Vec<Kinds, double>>();  ///< of each share
-  double volume = 0;                                         ///< of the material, m^dim
+  Vec<Kinds, double> variance = zero<Vec<Kinds, double>>();  ///< variance of each share
+  double volume = 0;                                         ///< volume of the material, m^dim
 };
 
 namespace detail {
 
-/// V (C_k - mean_k)^2.
+/// The terms V (C_k - mean_k)^2 of the variances of the shares.
 template <class Kinds>
 struct SquaresOfKinds {
   static constexpr int count = Kinds::kinds;
@@ -36,7 +36,7 @@ struct SquaresOfKinds {
   }
 };
 
-/// $\sum_k P_k (1 - P_k)$: twice the variance of two kinds that are apart.
+/// Returns $\sum_k P_k (1 - P_k)$, which for two separated kinds is twice the variance of a share.
 template <int Kinds>
 double variance_of_separated(Vec<Kinds, double> const& shares) {
   double sum = 0;
@@ -55,12 +55,13 @@ SegregationIntensity<Kinds::kinds> means_of_kinds(S const& solver, Kinds const& 
 
 }  // namespace detail
 
-/// The intensity of segregation of Danckwerts (1952), for any number of kinds: the variance of their shares, weighted
-/// by volume, over that of kinds that are apart, $\sum_k \overline{(C_k - P_k)^2}/\sum_k P_k (1 - P_k)$ with the mean
-/// P_k. It is 1 if each particle holds one kind, and 0 if all have the same shares. Motion without diffusion does not
-/// change it. Particles are the samples: it depends on their spacing as far as C varies within it. On the device, with
-/// the same bits on any number of ranks (WholeBody). Throws std::runtime_error if a value is not finite. The kinds are
-/// by default the species in the material.
+/// Returns the intensity of segregation of Danckwerts (1952) for any number of kinds: the volume-weighted variance of
+/// their shares, divided by the variance of separated kinds, $\sum_k \overline{(C_k - P_k)^2}/\sum_k P_k (1 - P_k)$
+/// with the mean shares P_k. The intensity is 1 if each particle contains only one kind, and 0 if all particles have
+/// the same shares. Motion without diffusion does not change the intensity. Particles are the samples, so the intensity
+/// depends on their spacing if C varies within a spacing. Computed on the device, bitwise identical on any number of
+/// ranks (WholeBody). Throws std::runtime_error if a value is not finite. By default, the kinds are the species in the
+/// material.
 template <class S, class Kinds = kinds_in<S>>
 auto segregation_intensity(S const& solver, Kinds const& kinds = {}) {
   if constexpr (detail::explain_kinds<Kinds, S>()) {

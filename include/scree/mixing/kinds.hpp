@@ -10,11 +10,12 @@
 #include <concepts>
 #include <type_traits>
 
-// The kinds of grains whose mixing is measured: how much of each is in a particle.
+// The kinds of grains whose mixing is measured, and their shares in a particle.
 namespace scree {
 
-/// A function of one particle that returns the share of each kind of grains in its volume; the shares add up to 1.
-///   kinds     their number, an int, 2 or more
+/// Whether K is a function of one particle that returns the share of each kind of grains in its volume. The shares add
+/// up to 1. The members of K are:
+///   kinds     the number of kinds, an int of 2 or more
 ///   reads     a list of fields
 ///   operator()(i)  returns a Vec<kinds, double>
 template <class K, class P>
@@ -45,10 +46,10 @@ struct SpeciesOf {
     return C;
   }
 };
-/// The particles of one group and all others: grains that differ in their colour alone. Groups::number() gives the
+/// The particles of one group and all other particles: grains that differ only in colour. Groups::number() returns the
 /// number of a group.
 struct MarkedGroup {
-  int number = 0;  ///< of the group that is marked
+  int number = 0;  ///< of the marked group
   static constexpr int kinds = 2;
   using reads = Fields<Group>;
   template <class I>
@@ -91,15 +92,14 @@ using material_of = std::remove_cvref_t<decltype(std::declval<S const&>().materi
 
 }  // namespace detail
 
-/// The kinds of grains that the material of a solver consists of: TwoSizes or SpeciesOf<N>; detail::NoKinds if it
-/// carries no concentration.
+/// The kinds of grains in the material of a solver: TwoSizes or SpeciesOf<N>; detail::NoKinds if the material carries
+/// no concentration.
 template <class S>
 using kinds_in = typename detail::kinds_among<typename detail::material_of<S>::fields>::type;
 
 namespace detail {
 
-/// True if a solver has these kinds of grains; otherwise the first error of the compiler names the missing member or
-/// field.
+/// Whether a solver has these kinds of grains; if not, the first compiler error names the missing member or field.
 template <class Kinds, class S>
 constexpr bool explain_kinds() {
   using P = typename S::policy;
@@ -125,7 +125,7 @@ constexpr bool explain_kinds() {
   }
 }
 
-/// The volume of a particle, and that of each kind of grains in it.
+/// The volume of a particle and the volume of each kind of grains in it.
 template <class Kinds>
 struct VolumesOfKinds {
   static constexpr int count = Kinds::kinds + 1;

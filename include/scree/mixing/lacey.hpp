@@ -11,28 +11,29 @@
 
 namespace scree {
 
-/// The samples of Lacey's index.
+/// Settings of the samples for Lacey's index.
 struct LaceySettings {
   double cell = 0;    ///< edge of the cells, m; 0: four spacings
-  double fill = 0.5;  ///< a cell is a sample if its particles fill at least this part of it
-  /// The volume of the bed per grain of each kind, m^dim: that of a grain over the solid fraction. One number for all
-  /// kinds, or one for each. Without it samples have infinitely many grains.
+  double fill = 0.5;  ///< a cell is a sample if its particles fill at least this share of it
+  /// The bed volume per grain of each kind (m^dim): the volume of a grain divided by the solid fraction. One number for
+  /// all kinds, or one for each kind. If `grains` is empty, samples have infinitely many grains.
   std::vector<double> grains = {};
 };
 
-/// Lacey's index with the variances that it is computed from.
+/// Lacey's index, with the variances from which it is computed.
 struct LaceyIndex {
-  double index = std::numeric_limits<double>::quiet_NaN();  ///< 0: apart, 1: mixed at random; NaN for one kind alone
-  double variance = 0;                                      ///< s^2 of the samples, summed over the kinds
-  double separated = 0;                                     ///< s_0^2 of kinds that are apart
-  double random = 0;                                        ///< s_r^2 of a random mixture
+  double index = std::numeric_limits<double>::quiet_NaN();  ///< 0: separated, 1: mixed at random; NaN for a single kind
+  double variance = 0;                                      ///< variance s^2 of the samples, summed over the kinds
+  double separated = 0;                                     ///< variance s_0^2 of separated kinds
+  double random = 0;                                        ///< variance s_r^2 of a random mixture
   int samples = 0;
 };
 
 namespace detail {
 
-/// The variance of the shares of a random mixture in a sample, times the volume of the sample, m^dim: $\sum_k P_k ((1 -
-/// 2 P_k) v_k + P_k \bar v)$ with $\bar v = \sum_l P_l v_l$, for v_k of bed per grain.
+/// Returns the variance of the shares of a random mixture in a sample, times the volume of the sample (m^dim):
+/// $\sum_k P_k ((1 - 2 P_k) v_k + P_k \bar v)$ with $\bar v = \sum_l P_l v_l$, where v_k is the bed volume per grain of
+/// kind k.
 template <int Kinds>
 double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> const& grains) {
   if (grains.empty()) return 0;
@@ -58,19 +59,20 @@ double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> 
 
 }  // namespace detail
 
-/// Lacey's (1954) index of mixing, for any number of kinds: $(s_0^2 - s^2)/(s_0^2 - s_r^2)$ with the variance s^2 of
-/// the shares in samples, weighted by their volume, about the shares P_k of the whole material; that of kinds that are
-/// apart, $s_0^2 = \sum_k P_k (1 - P_k)$; and that of a random mixture, s_r^2.
+/// Returns Lacey's (1954) index of mixing for any number of kinds: $(s_0^2 - s^2)/(s_0^2 - s_r^2)$. Here s^2 is the
+/// variance of the shares in samples, weighted by the volume of the samples, about the shares P_k of the whole
+/// material; $s_0^2 = \sum_k P_k (1 - P_k)$ is the variance of separated kinds; and s_r^2 is the variance of a random
+/// mixture.
 ///
-/// A sample is a cell of a grid that is fixed in space. Particles are no grains: the concentration is a continuous
-/// field, whose variance can fall to 0, below that of any mixture of grains. s_r^2 is therefore 0 unless the volumes of
-/// the grains are given; it is then the variance that grains drawn one by one would have (docs/theory/mixing.md), and
-/// an index above 1 means that the field is smoother than such a mixture. The index depends on the cells: compare only
-/// values that belong to equal cells.
+/// A sample is a cell of a grid that is fixed in space. Particles are not grains: the concentration is a continuous
+/// field, whose variance can fall to 0, below the variance of any mixture of grains. Therefore, s_r^2 is 0 unless the
+/// volumes of the grains are given. It is then the variance that grains drawn one by one would have
+/// (docs/theory/mixing.md), and an index above 1 means that the field is smoother than such a random mixture. The index
+/// depends on the cells: compare only values for equal cells.
 ///
-/// On the device, with the same bits on any number of ranks (WholeBody). Throws std::invalid_argument for settings out
-/// of range, as a cell below the spacing. The index is NaN while no cell is filled to the part `fill`. The kinds are by
-/// default the species in the material.
+/// The index is computed on the device and is bitwise identical on any number of ranks (WholeBody). It is NaN if no
+/// cell is filled to the share `fill`. Throws std::invalid_argument for settings that are out of range, for instance a
+/// cell smaller than the spacing. By default, the kinds are the species in the material.
 template <class S, class Kinds = kinds_in<S>>
 LaceyIndex lacey_index(S const& solver, LaceySettings settings = {}, Kinds const& kinds = {}) {
   LaceyIndex found;
@@ -89,7 +91,7 @@ LaceyIndex lacey_index(S const& solver, LaceySettings settings = {}, Kinds const
     if (found.samples == 0) return found;
     found.variance /= volume;
     found.separated = detail::variance_of_separated(whole.mean);
-    // The mean over samples of weight V is that of a variance per 1/V.
+    // The mean over samples of weight V of a variance proportional to 1/V.
     found.random = detail::variance_of_random(whole.mean, settings.grains) * found.samples / volume;
     if (found.separated > 0) found.index = (found.separated - found.variance) / (found.separated - found.random);
   }

@@ -15,9 +15,9 @@
 //     solver.run(end, {every<S>(interval, [&](S& now) { mixing.row(mixing_row(now, {.cell = 0.02})); })});
 namespace scree {
 
-/// The columns: time, the share of each kind but the last, intensity of segregation, Lacey's index and its samples;
-/// then the index of the neighbours if the diagnostics compute it, and that of Doucet if the material carries
-/// StartPosition.
+/// Returns the columns: time, the share of each kind but the last, the intensity of segregation, Lacey's index and the
+/// number of its samples; then the neighbour index if the diagnostics compute it, and Doucet's index if the material
+/// carries StartPosition.
 template <class S>
 std::vector<CsvColumn> mixing_columns() {
   using Kinds = kinds_in<S>;
@@ -32,7 +32,8 @@ std::vector<CsvColumn> mixing_columns() {
   }
   return columns;
 }
-/// The numbers of a row. `settings` are the settings of Lacey's index. Throws as lacey_index() does.
+/// Returns the row for the current state of a solver. `settings` are the settings of Lacey's index. Throws as
+/// lacey_index() does.
 template <class S>
 std::vector<double> mixing_row(S& solver, LaceySettings const& settings = {}) {
   using Kinds = kinds_in<S>;

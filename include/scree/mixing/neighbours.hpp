@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// The probability that a grain of a particle and one of its neighbours are of different kinds; 0 without neighbours.
+/// The probability that a grain of a particle and a grain of a neighbour are of different kinds; 0 without neighbours.
 struct UnlikeNeighbours : Scalar<"unlike neighbours", "1"> {};
 
 namespace fields {
@@ -20,7 +20,8 @@ inline constexpr UnlikeNeighbours unlike_neighbours{};
 
 namespace detail {
 
-/// $\sum_j V_j W_{ij} (1 - \sum_k C_{k,i} C_{k,j})$ and $\sum_j V_j W_{ij}$ over the neighbours without i.
+/// The sums $\sum_j V_j W_{ij} (1 - \sum_k C_{k,i} C_{k,j})$ and $\sum_j V_j W_{ij}$ over the neighbours j of i,
+/// without i itself.
 template <class Kinds>
 struct UnlikeSums {
   Kinds kinds;
@@ -60,35 +61,36 @@ struct VolumeOfUnlike {
 
 }  // namespace detail
 
-/// Diagnostics that compute `unlike_neighbours` of the material, for neighbour_index() and for output. With other
-/// diagnostics, join the lists of passes (docs/theory/mixing.md).
+/// Diagnostics that compute `unlike_neighbours` of the material, for neighbour_index() and for output. To combine them
+/// with other diagnostics, join the lists of passes (docs/theory/mixing.md).
 template <class Kinds = TwoSizes>
 struct NeighbourMixing {
-  Kinds kinds = {};  ///< which grains are of one kind
-  /// The pass that computes `unlike_neighbours`.
+  Kinds kinds = {};  ///< the kinds of the grains
+  /// Returns the pass that computes `unlike_neighbours`.
   auto passes(Resolution const&) const {
     return std::tuple(pair_pass_then<Material>("scree::unlike_neighbours", detail::ShareOfUnlike{},
                                                over<Material>(detail::UnlikeSums<Kinds>{kinds})));
   }
 };
 
-/// The share of neighbours that are of another kind.
+/// The share of neighbours of a different kind.
 struct NeighbourIndex {
-  double value = std::numeric_limits<double>::quiet_NaN();  ///< 1: mixed, 0: apart; NaN for one kind alone
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< 1: mixed, 0: separated; NaN for a single kind
   double unlike = 0;                                        ///< mean of `unlike_neighbours`
 };
 
-/// The index of the nearest neighbours (Godlieb, Deen & Kuipers 2007) for concentrations: the probability that a grain
-/// of a particle and one of its neighbours are of different kinds, over that of two grains of the whole material,
-/// $\sum_k P_k (1 - P_k)$. Neighbours are all particles within the support, weighted by $V_j W_{ij}$, in place of a
-/// fixed number of nearest ones: on a lattice many are equally near.
+/// Returns the nearest-neighbour index (Godlieb, Deen & Kuipers 2007) for concentrations: the probability that a grain
+/// of a particle and a grain of a neighbour are of different kinds, divided by this probability for two grains of the
+/// whole material, $\sum_k P_k (1 - P_k)$. The neighbours are all particles within the support, weighted by
+/// $V_j W_{ij}$, rather than a fixed number of nearest particles, because many particles on a lattice are equally near.
 ///
-/// The index is 1 where positions and kinds are independent, as in a mixture and in particles of one kind each in
-/// random order. Kinds that are apart have twice the area of their border times the mean distance of neighbours along
-/// its normal, $\langle |z| \rangle$, over the volume of the material, if each has half of it. Above 1 unlike
-/// neighbours are preferred, as on a chess board. Brings the diagnostics up to date, which must contain
-/// NeighbourMixing<Kinds>. The bits are the same on any number of ranks (WholeBody). Throws std::runtime_error if a
-/// value is not finite. The kinds are by default the species in the material.
+/// The index is 1 if positions and kinds are independent, as in a uniform mixture, or in a random arrangement of
+/// particles that contain one kind each. For two separated kinds that each have half of the volume, the index is twice
+/// the area of their interface times the mean distance of neighbours along its normal, $\langle |z| \rangle$, divided
+/// by the volume of the material. Above 1, unlike neighbours are preferred, as on a chessboard. Updates the
+/// diagnostics, which must contain NeighbourMixing<Kinds>. The result is bitwise identical on any number of ranks
+/// (WholeBody). Throws std::runtime_error if a value is not finite. By default, the kinds are the species in the
+/// material.
 template <class S, class Kinds = kinds_in<S>>
 NeighbourIndex neighbour_index(S& solver, Kinds const& kinds = {}) {
   NeighbourIndex found;

@@ -13,22 +13,22 @@
 #include <map>
 #include <vector>
 
-// The content of each cell of a grid: the samples of a mixture. Cells without particles take no memory, so that one
-// that is far away costs nothing.
+// The content of each cell of a grid: the samples of a mixture. Cells without particles take no memory, so particles
+// far away from the others cost nothing extra.
 namespace scree {
 
 /// A sample: the content of one cell of a grid.
 template <int Dim, int Kinds>
 struct MixtureSample {
-  Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< of its cell, m
-  double volume = 0;                                       ///< of its particles, m^dim
-  Vec<Kinds, double> shares = zero<Vec<Kinds, double>>();  ///< of each kind in this volume
+  Vec<Dim, double> centre = zero<Vec<Dim, double>>();      ///< centre of the cell, m
+  double volume = 0;                                       ///< volume of its particles, m^dim
+  Vec<Kinds, double> shares = zero<Vec<Kinds, double>>();  ///< share of each kind in this volume
 };
 
 namespace detail {
 
-/// A cell by its numbers along the axes, up to a million cells to both sides of the origin. All cells farther away
-/// count as the outermost cell.
+/// The key of a cell, made of its indices along the axes, up to a million cells on both sides of the origin. All cells
+/// farther away are treated as the outermost cell.
 template <int Dim>
 struct CellKey {
   static constexpr int bits = 21;
@@ -52,8 +52,9 @@ struct CellKey {
   }
 };
 
-/// Adds the terms of each particle to those of its cell in a table: the first entry that is free or has its key, from
-/// one on that follows from the key. The index of the entry depends on the order of the threads, its content does not.
+/// A kernel that adds the terms of each particle to the sums of its cell in a hash table. The search for the entry of a
+/// cell begins at the hash of its key and ends at the first entry that is free or has this key. The index of the entry
+/// depends on the order of the threads; its content does not.
 template <class P, class Function>
 struct SumInCells {
   static constexpr int most_tries = 64;
@@ -75,7 +76,7 @@ struct SumInCells {
 
  private:
   SCREE_FN int place(std::int64_t key) const {
-    auto mixed = std::uint64_t(key) * 0x9e3779b97f4a7c15u;  // 2^64 over the golden ratio: neighbours lie far apart
+    auto mixed = std::uint64_t(key) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio: neighbours lie far apart
     mixed ^= mixed >> 32;
     int k = int(mixed % std::uint64_t(keys.size()));
     for (int tries = 0; tries < most_tries; ++tries) {
@@ -92,15 +93,15 @@ struct SetNone {
   SCREE_FN void operator()(int k) const { keys(k) = -1; }
 };
 
-/// The content of a cell: its key, and the sums of the terms of its particles in units.
+/// The content of a cell: its key, and the sums of the terms of its particles in fixed-point units.
 template <int Count>
 struct CellEntry {
   std::int64_t key;
   std::array<std::int64_t, std::size_t(Count)> sums;
 };
 
-/// The cells with particles of this rank, in any order. Few particles share a cell only if the edge is near the
-/// spacing, so the table begins small and doubles until each cell finds a place.
+/// Returns the cells that contain particles of this rank, in any order. Unless the edge is near the spacing, many
+/// particles share a cell, so the table begins small and doubles until each cell has an entry.
 template <class P, class Body, class Function>
 std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function const& function,
                                                    CellKey<P::dim> const& cell, FixedPoint const& unit) {
@@ -130,10 +131,10 @@ std::vector<CellEntry<Function::count>> cells_here(Body const& body, Function co
 
 }  // namespace detail
 
-/// The material of a solver by the cells of a grid with edges of `edge` (m) whose corners are at multiples of it: all
-/// cells with particles, in the order of their numbers. A particle is where its centre is. The bits are the same on any
-/// number of ranks (WholeBody). Throws std::invalid_argument for an edge below the spacing, and std::runtime_error if a
-/// value is not finite.
+/// Returns the content of the cells of a grid for the material of a solver: all cells that contain particles, in the
+/// order of their keys. The cells have edges of `edge` (m) and corners at multiples of `edge`. A particle belongs to
+/// the cell of its centre. The result is bitwise identical on any number of ranks (WholeBody). Throws
+/// std::invalid_argument if `edge` is less than the spacing, and std::runtime_error if a value is not finite.
 template <class S, class Kinds>
 auto samples_of(S const& solver, double edge, Kinds const& kinds) {
   using P = typename detail::material_of<S>::policy;

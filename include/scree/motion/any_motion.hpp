@@ -10,7 +10,8 @@
 namespace scree {
 namespace detail {
 
-/// Motions of several types, one of each. `kind` is the place of a motion in the list; behind its end is rest.
+/// One motion of each of several types. `kind` is the index of a motion in the list; the index after the last means
+/// rest.
 template <class... Motions>
 struct MotionList {
   int put(AtRest const&) { return 0; }
@@ -83,16 +84,16 @@ inline constexpr bool is_among = (std::is_same_v<Motion, AtRest> || ... || std::
 
 }  // namespace detail
 
-/// One of several motions, chosen at run time; at rest until one is chosen:
+/// A motion of one of several types, chosen at run time; at rest until a motion is chosen:
 ///
 ///     AnyMotion<Rotation, Tabulated<2>> motion = Rotation{.rate = 2};
 ///
-/// Only the listed types are compiled. The value holds one motion of each type, so that it needs no device memory.
+/// Only the listed types are compiled. The object stores one motion of each type, so it needs no device memory.
 template <class... Motions>
 class AnyMotion {
  public:
   AnyMotion() = default;
-  /// Any of the listed motions, or AtRest.
+  /// Takes a motion of one of the listed types, or AtRest.
   template <class Motion>
   AnyMotion(Motion const& motion) {
     static_assert(detail::is_among<Motion, Motions...>,
@@ -100,7 +101,7 @@ class AnyMotion {
     if constexpr (detail::is_among<Motion, Motions...>) kind_ = list_.put(motion);
   }
 
-  /// Checks the chosen motion.
+  /// Throws std::invalid_argument if a parameter of the chosen motion is out of range.
   void check() const { list_.check(kind_); }
   template <class X>
   SCREE_FN X displaced(X const& x, double from, double to) const {
@@ -118,9 +119,9 @@ class AnyMotion {
   SCREE_FN auto velocity_gradient(X const& x, double time) const {
     return list_.velocity_gradient(kind_, x, time);
   }
-  /// Largest step that resolves the chosen motion, s.
+  /// Returns the largest time step that resolves the chosen motion, s.
   double time_step() const { return list_.time_step(kind_); }
-  /// Whether the chosen motion has its own velocity gradient.
+  /// Whether the chosen motion has its own function for the velocity gradient.
   template <int Dim, class Real>
   bool gives_gradient() const {
     return list_.template gives_gradient<Dim, Real>(kind_);

@@ -7,21 +7,22 @@
 
 namespace scree {
 
-/// A motion within a frame that moves: a point at X at time zero is at O_t(I_t(X)), where I_t and O_t displace from
-/// time zero to t by the inner and the outer motion. The inner one is described as if the frame were at rest at its
-/// place at time zero. A planetary mixer, whose blade turns about an axis that goes around:
+/// A motion within a moving frame. A point at X at time zero is at O_t(I_t(X)) at time t, with the displacements I_t
+/// and O_t of the inner and the outer motion from time zero to t. The inner motion is described as if the frame stayed
+/// at its position at time zero. An example is a planetary mixer, whose blade turns about an axis that itself moves in
+/// a circle:
 ///
 ///     Composed<RotationAbout, RotationAbout>{.outer = {1, {0, 0, 1}}, .inner = {5, {0, 0, 1}, {0.1, 0, 0}}}
 ///
-/// With y the point in the frame, w its velocity there and F the gradient of O_t, the velocity is u_O + F w and the
-/// acceleration a_O + 2 L_O F w + F a_I. Both motions must have velocities that are affine in x; then differences over
-/// any distance are exact derivatives. Compositions nest.
+/// Let y be the point in the frame, w its velocity there and F the gradient of O_t. The velocity is then u_O + F w, and
+/// the acceleration is a_O + 2 L_O F w + F a_I. Both motions must have velocities that are affine in x, for which
+/// differences over any distance are exact derivatives. Compositions can be nested.
 template <class Outer, class Inner>
 struct Composed {
   Outer outer = {};  ///< the motion of the frame
   Inner inner = {};  ///< the motion within the frame
 
-  /// Throws std::invalid_argument if a parameter of one of them is out of range.
+  /// Throws std::invalid_argument if a parameter of one of the two motions is out of range.
   void check() const {
     check_settings_of(outer);
     check_settings_of(inner);
@@ -54,12 +55,12 @@ struct Composed {
         !GivesVelocityGradient<Outer, dim, Real> && !GivesVelocityGradient<Inner, dim, Real>,
         "Composed joins motions whose velocity is affine in x: one of these has a velocity gradient of its own");
   }
-  /// The point where the frame was at time zero.
+  /// Returns the position in the frame of the point that is at x at a time (s).
   template <class X>
   SCREE_FN X in_frame(X const& x, double time) const {
     return outer.displaced(x, time, 0.0);
   }
-  /// A vector at y in the frame as it is in space at x.
+  /// Transforms a vector at y from the moving frame to the fixed frame, in which y is at x.
   template <class X>
   SCREE_FN X carried(X const& y, X const& vector, X const& x, double time) const {
     return X(outer.displaced(X(y + vector), 0.0, time)) - x;

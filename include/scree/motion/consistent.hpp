@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-// Whether the functions of a prescribed motion agree with each other. It works on the host, for any motion.
+// Checks that the functions of a prescribed motion agree with each other. The checks run on the host, for any motion.
 namespace scree::detail {
 
 /// The path of a point under a motion, as functions of time (s).
@@ -15,21 +15,21 @@ struct PathOfPoint {
   using vector = Vec<3, double>;
   std::function<vector(double)> place;         ///< m
   std::function<vector(double)> velocity;      ///< m/s
-  std::function<vector(double)> acceleration;  ///< m/s^2; none: not checked
-  /// The position at the second time of a point given at the first, m; empty: not checked.
+  std::function<vector(double)> acceleration;  ///< m/s^2; not checked if empty
+  /// The position (m) at the second time (s) of a point given at the first time (s); not checked if empty.
   std::function<vector(vector const&, double, double)> moved = {};
 };
 
-/// A description of how the functions of a path contradict each other between two times (s), which are checked in a
-/// number of pieces; "" if they agree.
+/// Returns a description of how the functions of a path contradict each other between two times (s), or "" if they
+/// agree. The check divides the interval into `pieces`.
 std::string fault_of_path(PathOfPoint const& path, double from, double to, int pieces);
 
 /// Throws std::invalid_argument if displacement, velocity and acceleration of a path contradict each other between two
-/// times (s): if the way that follows from the velocity, or the displacement that starts at the first of these times
-/// instead of at zero, differs from the displacement by more than 1 % of the largest speed times the time, or the
-/// change of the velocity from that by the acceleration by more than 1 % in more than a quarter of the time. Velocities
-/// may jump, positions may not. Intervals that the sums do not resolve are checked again, in up to 4096 pieces. Values
-/// that are not finite are the business of other checks.
+/// times (s). The integral of the velocity, and the displacement that starts at the first time instead of at zero, must
+/// agree with the displacement to 1 % of the largest speed times the duration. The change of the velocity must agree
+/// with the integral of the acceleration to 1 % of the largest change by acceleration, except in at most a quarter of
+/// the pieces of the interval. Velocities may jump, but positions must not. Intervals that the sums do not resolve are
+/// checked again, in up to 4096 pieces. Values that are not finite are left to other checks.
 void check_path(PathOfPoint const& path, double from, double to);
 
 }  // namespace scree::detail

@@ -7,15 +7,16 @@
 
 namespace scree {
 
-/// A motion that begins at a time and may end at another one; its own time counts from the beginning. Before and after
-/// it all points are at rest, so that the velocity may jump; Tabulated starts and stops smoothly.
+/// A motion that begins at a given time and may end at a later time. The time of the delayed motion is counted from its
+/// beginning. Before and after the motion, all points are at rest, so the velocity may jump; Tabulated starts and stops
+/// smoothly.
 template <class Motion>
 struct Delayed {
   Motion motion = {};                                      ///< the motion that begins later
   double start = 0;                                        ///< s
   double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
 
-  /// The parameters `start` and `stop`; the class of the motion declares its own.
+  /// Returns the parameters `start` and `stop`; the class of the motion declares its own parameters.
   static constexpr auto parameters() {
     return std::array{parameter("start", &Delayed::start, "s", "begin of the motion", allowed::finite()),
                       parameter("stop", &Delayed::stop, "s", "end of the motion",
@@ -49,7 +50,7 @@ struct Delayed {
 
  private:
   SCREE_FN bool moves_at(double time) const { return time >= start && time < stop; }
-  /// Time that the motion has been under way, s.
+  /// Returns the time for which the motion has been in progress, s.
   SCREE_FN double since_start(double time) const { return Kokkos::max(0.0, Kokkos::min(time, stop) - start); }
 };
 

@@ -10,16 +10,16 @@
 
 namespace scree {
 
-/// A motion of all points, as a value:
-///   displaced(x, from, to)   where the point that is at x at time `from` (s) is at time `to`, m
+/// Whether M is a motion of all points, as a value with
+///   displaced(x, from, to)   the position at time `to` (s) of the point that is at x (m) at time `from` (s), m
 ///   velocity(x, time)        the velocity of the point that is at x (m) at a time (s), m/s
-///   acceleration(x, time)    the acceleration of that point, m/s^2
-///   time_step()              the largest step that resolves the motion, s
+///   acceleration(x, time)    the acceleration of the point that is at x (m) at a time (s), m/s^2
+///   time_step()              the largest time step that resolves the motion, s
 /// and, if its velocity is not affine in x,
 ///   velocity_gradient(x, time)   the velocity gradient L_ab = du_a/dx_b at x and a time (s), 1/s
-/// Walls need the gradient for the velocity that they show the material behind their surface. Without this function it
-/// is the difference over one metre, and a solver rejects walls whose velocity is not affine.
-/// A motion of points of one dimension alone has that as a constant `dim`.
+/// Walls need the gradient to evaluate the motion at points other than their particles. Without this function, the
+/// gradient is a difference over one metre, and a solver rejects walls with a velocity that is not affine. A motion
+/// that is limited to one number of dimensions declares it as a constant `dim`.
 template <class M, int Dim, class Real>
 concept MotionOfPoints = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Vec<Dim, Real>(motion.displaced(x, time, time));
@@ -28,11 +28,11 @@ concept MotionOfPoints = requires(M const& motion, Vec<Dim, Real> const& x, doub
   { motion.time_step() } -> std::convertible_to<double>;
 };
 
-/// A motion that differs between the groups of a body, as a value:
+/// Whether M is a motion that differs between the groups of a body, as a value with
 ///   of(group)     the motion of the points of one group, 0 <= group < groups()
 ///   groups()      the number of groups
-///   time_step()   the largest step that resolves all of them, s
-/// Particles then carry the field `group`; the velocity must be affine in x within each group.
+///   time_step()   the largest time step that resolves the motions of all groups, s
+/// Particles that follow such a motion carry the field `group`. The velocity must be affine in x within each group.
 template <class M>
 concept MotionByGroup = requires(M const& motion, int number) {
   motion.of(number);
@@ -48,21 +48,21 @@ inline constexpr bool moves_each_group<M, Dim, Real> =
     MotionOfPoints<std::remove_cvref_t<decltype(std::declval<M const&>().of(0))>, Dim, Real>;
 }  // namespace detail
 
-/// A prescribed motion, of all points or by group.
+/// Whether M is a prescribed motion, either of all points or by group.
 template <class M, int Dim, class Real>
 concept PrescribedMotion = MotionOfPoints<M, Dim, Real> || detail::moves_each_group<M, Dim, Real>;
 
-/// A motion that gives its velocity gradient (1/s) at a point and a time (s).
+/// Whether a motion has a function for its velocity gradient (1/s) at a point and a time (s).
 template <class M, int Dim, class Real>
 concept GivesVelocityGradient = requires(M const& motion, Vec<Dim, Real> const& x, double time) {
   Mat<Dim, Real>(motion.velocity_gradient(x, time));
 };
 
-/// Fields of a particle that decide how it moves.
+/// The fields of a particle that determine which motion it follows.
 template <class M>
 using fields_of_motion = std::conditional_t<MotionByGroup<M>, Fields<Group>, Fields<>>;
 
-/// The motion of a group, from a motion by group or from one for all.
+/// Returns the motion of a group, from a motion by group or from a motion of all points.
 template <class M>
 SCREE_FN decltype(auto) motion_of_group(M const& motion, [[maybe_unused]] int number) {
   if constexpr (MotionByGroup<M>)
@@ -70,7 +70,7 @@ SCREE_FN decltype(auto) motion_of_group(M const& motion, [[maybe_unused]] int nu
   else
     return (motion);
 }
-/// The motion of a particle, from a motion by group or from one for all.
+/// Returns the motion of a particle, from a motion by group or from a motion of all points.
 template <class M, class I>
 SCREE_FN decltype(auto) motion_of(M const& motion, [[maybe_unused]] I const& i) {
   if constexpr (MotionByGroup<M>)
@@ -79,8 +79,8 @@ SCREE_FN decltype(auto) motion_of(M const& motion, [[maybe_unused]] I const& i) 
     return (motion);
 }
 
-/// The gradient of the velocity of a motion of points, or the difference over one metre, which is exact for affine
-/// motions; 1/s.
+/// Returns the velocity gradient of a motion of points, or the difference over one metre, which is exact for affine
+/// motions, 1/s.
 template <class M, class X>
 SCREE_FN auto velocity_gradient_at(M const& motion, X const& x, double time) {
   using Real = typename X::Scalar;
@@ -98,7 +98,7 @@ SCREE_FN auto velocity_gradient_at(M const& motion, X const& x, double time) {
   return L;
 }
 
-/// No motion.
+/// The motion of points at rest.
 struct AtRest {
   template <class X>
   SCREE_FN X displaced(X const& x, double, double) const {

@@ -21,9 +21,9 @@ struct MovedBy {
   Motion motion = {};
 };
 
-/// A motion for each of some bodies, for `motion` of a formulation with several bodies that follow one:
+/// A motion for each of several bodies, for the `motion` of a formulation with several moving walls:
 ///   using motion = MotionOfBodies<MovedBy<Vessel, Rotation>, MovedBy<Blade, Oscillation<2>>>;
-/// It is made from the motions in this order. A body that is not listed is at rest.
+/// The constructor takes the motions in this order. A body that is not listed is at rest.
 template <class... Parts>
 struct MotionOfBodies {
   std::tuple<typename Parts::type...> motions;
@@ -32,7 +32,7 @@ struct MotionOfBodies {
   /// Takes the motions in the order of the parts.
   explicit MotionOfBodies(typename Parts::type const&... each) requires(sizeof...(Parts) > 0) : motions(each...) {}
 
-  /// The motion of a body; AtRest for one that is not listed.
+  /// Returns the motion of a body, or AtRest for a body that is not listed.
   template <BodyTag Body>
   auto of_body() const {
     constexpr std::size_t found = (std::size_t(std::is_same_v<Body, typename Parts::body>) + ... + 0);
@@ -46,7 +46,7 @@ struct MotionOfBodies {
   void check() const {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, motions);
   }
-  /// The largest step that resolves all motions, s.
+  /// Returns the largest time step that resolves all motions, s.
   double time_step() const {
     return std::apply(
         [](auto const&... each) {
@@ -56,7 +56,7 @@ struct MotionOfBodies {
   }
 };
 
-/// The motion of a body: `motion`, unless that differs between bodies.
+/// Returns the motion of a body, which is `motion` unless the motion differs between bodies.
 template <BodyTag Body, class Motion>
 auto motion_of_body(Motion const& motion) {
   if constexpr (requires { motion.template of_body<Body>(); })

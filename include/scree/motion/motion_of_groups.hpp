@@ -11,21 +11,23 @@
 
 namespace scree {
 
-/// Each group of a body has its own motion, one of the listed types; groups without one are at rest:
+/// A motion for each group of a body, of one of the listed types; groups without a motion are at rest:
 ///
 ///     MotionOfGroups<2, Rotation> motion(walls);  // of type Groups<Dim>
 ///     motion.set(walls.number("blade"), Rotation{.rate = -2});
 ///
-/// `Capacity` is the largest number of groups. The number of groups adds no code to compile. Kernels receive all
-/// motions by value, so long tables cost time on a GPU: give Tabulated the capacity it needs.
+/// `Capacity` is the largest number of groups; the number of groups does not affect the amount of compiled code.
+/// Kernels receive all motions by value, so long tables cost time on a GPU; do not give Tabulated more capacity than it
+/// needs.
 template <int Capacity, class... Motions>
 class MotionOfGroups {
   static_assert(Capacity > 0, "MotionOfGroups<Capacity, Motions...> needs room for at least one group");
 
  public:
-  /// A motion of no groups: only a body without particles can follow it.
+  /// Makes a motion without groups, which only a body without particles can follow.
   MotionOfGroups() = default;
-  /// The motion of a number of groups, all at rest. Throws std::invalid_argument if there are more than `Capacity`.
+  /// Makes the motion of a number of groups, all at rest. Throws std::invalid_argument if the number is negative or
+  /// more than `Capacity`.
   explicit MotionOfGroups(int groups) : groups_(groups) {
     if (groups < 0 || groups > Capacity)
       throw std::invalid_argument(
@@ -37,7 +39,7 @@ class MotionOfGroups {
   explicit MotionOfGroups(Groups<Dim> const& groups) : MotionOfGroups(groups.count()) {}
 
   /// Sets the motion of one group and returns this object, so that calls can be chained. Throws std::invalid_argument
-  /// for a group that does not exist.
+  /// if the group does not exist.
   template <class Motion>
   MotionOfGroups& set(int number, Motion const& motion) {
     if (number < 0 || number >= groups_)
@@ -57,7 +59,7 @@ class MotionOfGroups {
   }
   SCREE_FN AnyMotion<Motions...> const& of(int number) const { return motions_[number]; }
   int groups() const { return groups_; }
-  /// The shortest of all groups, s.
+  /// Returns the largest time step that resolves the motions of all groups, s.
   double time_step() const {
     double shortest = AtRest{}.time_step();
     for (int k = 0; k < groups_; ++k) shortest = std::min(shortest, motions_[k].time_step());

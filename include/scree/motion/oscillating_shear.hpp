@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// Simple shear of a box whose side walls tilt back and forth together: x = X + (z - floor) gamma(t), gamma = amplitude
-/// sin(2 pi t/period) (Zhu et al. 2024, section 5). z is the last coordinate.
+/// Simple shear of a box whose side walls tilt back and forth together: x = X + (z - floor) gamma(t) with gamma =
+/// amplitude sin(2 pi t/period) and the last coordinate z (Zhu et al. 2024, section 5).
 struct OscillatingShear {
   double amplitude = 0;
   double period = 1;
@@ -26,9 +26,9 @@ struct OscillatingShear {
   }
   /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "OscillatingShear"); }
-  /// The tangent of the inclination at a time (s).
+  /// Returns the tangent of the inclination at a time (s).
   SCREE_FN double shear(double time) const { return amplitude * Kokkos::sin(omega() * time); }
-  /// The rate of that tangent at a time (s), 1/s.
+  /// Returns the rate of the tangent of the inclination at a time (s), 1/s.
   SCREE_FN double shear_rate(double time) const { return amplitude * omega() * Kokkos::cos(omega() * time); }
 
   template <class X>

@@ -7,14 +7,14 @@
 
 namespace scree {
 
-/// All points oscillate along a straight line: displacement amplitude sin(2 pi t/period + phase).
+/// The oscillation of all points along a straight line, with the displacement amplitude sin(2 pi t/period + phase).
 template <int Dim>
 struct Oscillation {
   static constexpr int dim = Dim;
-  Vec<Dim, double> amplitude = Vec<Dim, double>::Zero();  ///< with its direction, m
+  Vec<Dim, double> amplitude = Vec<Dim, double>::Zero();  ///< largest displacement, with its direction, m
   double period = 1;                                      ///< above 0, s
   double phase = 0;                                       ///< rad; pi/2 starts at the turning point, at rest
-  /// Largest angle in one step, rad.
+  /// Largest change of the phase angle in one time step, rad.
   double angle_per_step = 0.05;
 
   static constexpr auto parameters() {

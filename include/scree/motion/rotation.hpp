@@ -9,11 +9,12 @@
 
 namespace scree {
 
-/// Steady rotation in the plane of the first and the last coordinate, x and z, from x towards z; in 3D this is about
-/// the second axis. u = Omega x (x - c), acceleration $-\Omega^2 (x - c)$ within the plane.
+/// A steady rotation in the plane of the first and the last coordinate (x and z), from x towards z; in 3D, the rotation
+/// is about the second axis. The velocity is u = Omega x (x - c), and the acceleration is $-\Omega^2 (x - c)$ within
+/// the plane.
 struct Rotation {
   double rate = 0;  ///< Omega, rad/s
-  /// Largest angle in one step, rad.
+  /// Largest angle in one time step, rad.
   double angle_per_step = 0.05;
   double centre_x = 0;  ///< m
   double centre_z = 0;  ///< m
@@ -57,7 +58,7 @@ struct Rotation {
  private:
   template <class X>
   static constexpr int up = X::RowsAtCompileTime - 1;
-  /// From the axis to x, within the plane.
+  /// Returns the vector from the axis to x, within the plane.
   template <class X>
   SCREE_FN X arm_of(X const& x) const {
     using Real = typename X::Scalar;

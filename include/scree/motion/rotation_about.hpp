@@ -7,15 +7,15 @@
 
 namespace scree {
 
-/// Steady rotation in space about any axis, by the right-hand rule: u = Omega n x (x - c), acceleration $\Omega^2 n
-/// \times (n \times (x - c))$. Positions follow Rodrigues' formula.
+/// A steady rotation in 3D about any axis, by the right-hand rule, with the velocity u = Omega n x (x - c) and the
+/// acceleration $\Omega^2 n \times (n \times (x - c))$. Positions follow from Rodrigues' formula.
 class RotationAbout {
  public:
   struct Parameters {
     double rate = 0;                    ///< Omega, rad/s
-    Vec<3, double> axis = {0, 0, 1};    ///< of any length above 0
-    Vec<3, double> centre = {0, 0, 0};  ///< any point of the axis, m
-    double angle_per_step = 0.05;       ///< largest angle in one step, rad
+    Vec<3, double> axis = {0, 0, 1};    ///< direction of the axis n, of any length above 0
+    Vec<3, double> centre = {0, 0, 0};  ///< a point c on the axis, m
+    double angle_per_step = 0.05;       ///< largest angle in one time step, rad
 
     static constexpr auto parameters() {
       return std::array{
@@ -32,16 +32,16 @@ class RotationAbout {
     }
   };
 
-  /// At rest.
+  /// Makes a motion at rest.
   RotationAbout() = default;
-  /// A rotation with these parameters. Throws std::invalid_argument if one is out of range.
+  /// Makes a rotation with these parameters. Throws std::invalid_argument if one is out of range.
   explicit RotationAbout(Parameters const& given)
       : rate_(given.rate), angle_per_step_(given.angle_per_step), centre_(given.centre) {
     given.check();
     axis_ = given.axis / given.axis.norm();
   }
-  /// A rotation from its parameters in their order: rate (rad/s), axis, centre (m) and angle per step (rad). Throws
-  /// std::invalid_argument where one is out of range.
+  /// Makes a rotation from rate (rad/s), axis, centre (m) and largest angle per step (rad). Throws
+  /// std::invalid_argument if one is out of range.
   RotationAbout(double rate, Vec<3, double> const& axis, Vec<3, double> const& centre = Vec<3, double>::Zero(),
                 double angle_per_step = 0.05)
       : RotationAbout(Parameters{rate, axis, centre, angle_per_step}) {}
@@ -73,7 +73,7 @@ class RotationAbout {
     for (int k = 0; k < X::RowsAtCompileTime; ++k) result[k] = typename X::Scalar(a[k]);
     return result;
   }
-  /// The cross product. In the plane as() has refused to compile.
+  /// Returns the cross product in 3D. In 2D, as() does not compile.
   template <class X>
   SCREE_FN static X across(X const& a, X const& b) {
     if constexpr (X::RowsAtCompileTime == 3)

@@ -11,18 +11,19 @@
 
 namespace scree {
 
-/// A translation whose velocity a run changes between steps:
+/// A translation with a velocity that a run can change between steps:
 ///
 ///     solver.set_motion(solver.settings().motion.turned_to(velocity, solver.time()));
 ///
-/// The velocity is constant after the last change; before it, the motion is uniform from the position at time zero to
-/// that at the change. A component of a run saves it as numbers() and reads it by from_numbers().
+/// The velocity is constant after the last change. Before the last change, the motion is uniform from the position at
+/// time zero to the position at the change. A component of a run can save the motion with numbers() and restore it with
+/// from_numbers().
 template <int Dim>
 struct Steered {
   static constexpr int dim = Dim;
   using vector = Vec<Dim, double>;
-  vector velocity_now = vector::Zero();  ///< from `since` on, m/s
-  vector way = vector::Zero();           ///< from time zero to `since`, m
+  vector velocity_now = vector::Zero();  ///< velocity from `since` on, m/s
+  vector way = vector::Zero();           ///< displacement from time zero to `since`, m
   double since = 0;                      ///< s
 
   static constexpr auto parameters() {
@@ -36,23 +37,23 @@ struct Steered {
     check_parameters(*this, "Steered");
     check_setting(since > 0 || way.norm() == 0, "way (m) of Steered at time zero", way.norm(), "0");
   }
-  /// Returns the motion that continues with another velocity (m/s) from a time (s), `since` or later. Throws
-  /// std::invalid_argument for an earlier one.
+  /// Returns the motion that continues with another velocity (m/s) from a time (s). Throws std::invalid_argument if the
+  /// time is before `since`.
   Steered turned_to(vector const& velocity, double time) const {
     check_setting(time >= since, "the time (s) at which Steered turns", time, "that of the last change or later");
     return {velocity, way_at(time), time};
   }
-  /// The number of numbers().
+  /// The number of values in numbers().
   static constexpr std::size_t number_count = 1 + 2 * Dim;
-  /// `since`, `way` and `velocity_now` (s, m, m/s), to be kept in a snapshot.
+  /// Returns `since`, `way` and `velocity_now` (s, m, m/s), for a snapshot.
   std::vector<double> numbers() const {
     std::vector<double> all = {since};
     all.insert(all.end(), way.begin(), way.end());
     all.insert(all.end(), velocity_now.begin(), velocity_now.end());
     return all;
   }
-  /// The motion whose numbers() are the first of these numbers. Throws std::invalid_argument if they are too few, or if
-  /// a parameter is out of range.
+  /// Returns the motion whose numbers() are the first of the given numbers; further numbers are ignored. Throws
+  /// std::invalid_argument if there are too few numbers, or if a parameter is out of range.
   static Steered from_numbers(std::span<double const> numbers) {
     check_setting(numbers.size() >= number_count, "numbers of Steered", double(numbers.size()),
                   detail::formatted("%zu or more", number_count).c_str());
@@ -76,7 +77,8 @@ struct Steered {
   SCREE_FN X acceleration(X const&, double) const {
     return zero<X>();
   }
-  /// Exact at any step; the limits of the physics model cover the response of the material.
+  /// Returns infinity: the motion is exact at any time step, and the limits of the physics model cover the response of
+  /// the material.
   double time_step() const { return Kokkos::Experimental::infinity_v<double>; }
 
  private:

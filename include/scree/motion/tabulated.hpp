@@ -13,32 +13,31 @@
 
 namespace scree {
 
-/// The path between two points of a table.
-///   monotone   a monotone piecewise cubic: smooth, at rest at both ends and where the direction changes
-///   linear     straight: the velocity jumps at each point of the table, and the acceleration is zero
+/// The interpolation between two points of a table.
+///   monotone   a monotone piecewise cubic: smooth, with zero velocity at both ends and where the direction changes
+///   linear     straight lines: the velocity jumps at each point of the table, and the acceleration is zero
 enum class TableInterpolation { monotone, linear };
 
-/// Moves all points by the same displacement, interpolated in a table. Before the first time of the table the
-/// displacement is the first one of the table, after the last time it is the last one. Each coordinate stays between
-/// its values at the two neighbouring points of the table, so a wall that rests in the table is at rest: the
-/// interpolation is the monotone piecewise cubic of Fritsch & Carlson (1980, SIAM J. Numer. Anal. 17, 238-246) with the
-/// slopes of Fritsch & Butland (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). The velocity is continuous; the
-/// acceleration jumps at the points of the table. `TableInterpolation::linear` interpolates linearly: walls then start,
-/// turn and stop abruptly, within one step. The table is stored in the object itself, so it needs no device memory.
-/// read_tabulated() (`setup/read_tabulated.hpp`) reads a table from a file.
-/// (`setup/read_tabulated.hpp`).
+/// A translation of all points by a displacement that is interpolated in a table. Before the first time in the table,
+/// the displacement is the first one in the table; after the last time, it is the last one. Each coordinate stays
+/// between its values at the two adjacent points of the table, so a wall with equal displacements at both points is at
+/// rest between them. The interpolation is the monotone piecewise cubic of Fritsch & Carlson (1980, SIAM J. Numer.
+/// Anal. 17, 238-246) with the slopes of Fritsch & Butland (1984, SIAM J. Sci. Stat. Comput. 5, 300-304). The velocity
+/// is continuous; the acceleration jumps at the points of the table. With `TableInterpolation::linear`, walls start,
+/// turn and stop abruptly, within one time step. The table is stored in the object itself, so it needs no device
+/// memory. read_tabulated() (`setup/read_tabulated.hpp`) reads a table from a file.
 template <int Dim, int Capacity = 32>
 class Tabulated {
  public:
   static constexpr int dim = Dim;
   using vector = Vec<Dim, double>;
-  /// Largest step as a fraction of the shortest interval of the table, -.
+  /// Largest time step as a fraction of the shortest interval of the table, -.
   double interval_per_step = 0.1;
 
-  /// No motion.
+  /// Makes a motion at rest.
   Tabulated() = default;
-  /// Displacements (m) at increasing times (s). Throws std::invalid_argument unless there are 2 to `Capacity` times,
-  /// which increase, and a displacement for each, and for numbers that are not finite.
+  /// Takes displacements (m) at increasing times (s). Throws std::invalid_argument unless there are 2 to `Capacity`
+  /// increasing times with a displacement for each, and all numbers are finite.
   Tabulated(std::vector<double> const& times, std::vector<vector> const& displacements,
             TableInterpolation interpolation = TableInterpolation::monotone)
       : knots_(static_cast<int>(times.size())), is_linear_(interpolation == TableInterpolation::linear) {
@@ -90,7 +89,7 @@ class Tabulated {
     if (!(time < time_[knots_ - 1])) return {place_[knots_ - 1], vector::Zero(), vector::Zero()};
     int k = 0;
     while (time > time_[k + 1]) ++k;
-    // Hermite's cubic over the interval, s in 0 to 1.
+    // The Hermite cubic over the interval, with s from 0 to 1.
     double const length = time_[k + 1] - time_[k], s = (time - time_[k]) / length;
     vector const step = place_[k + 1] - place_[k];
     if (is_linear_) return {place_[k] + s * step, step / length, vector::Zero()};
@@ -102,8 +101,8 @@ class Tabulated {
     return state;
   }
 
-  // Zero at both ends and where the direction changes; otherwise the weighted harmonic mean of the slopes on both
-  // sides, which is at most three times the smaller one.
+  // The slope is zero at both ends and at points where the direction changes. At all other points it is the weighted
+  // harmonic mean of the slopes on the two sides, which is at most three times the smaller slope.
   void find_slopes() {
     for (int k = 0; k < knots_; ++k) slope_[k] = vector::Zero();
     int const last = std::min(knots_, Capacity) - 1;  // knots_ - 1; the bound is for GCC, which warns without it

@@ -7,12 +7,12 @@
 
 namespace scree {
 
-/// All points move alike: u = speed + growth t.
+/// A translation of all points with the velocity u = speed + growth t.
 template <int Dim>
 struct Translation {
   static constexpr int dim = Dim;
-  Vec<Dim, double> speed = Vec<Dim, double>::Zero();   ///< at time zero, m/s
-  Vec<Dim, double> growth = Vec<Dim, double>::Zero();  ///< of the speed, m/s^2
+  Vec<Dim, double> speed = Vec<Dim, double>::Zero();   ///< velocity at time zero, m/s
+  Vec<Dim, double> growth = Vec<Dim, double>::Zero();  ///< acceleration, m/s^2
 
   static constexpr auto parameters() {
     return std::array{
@@ -34,7 +34,8 @@ struct Translation {
   SCREE_FN X acceleration(X const&, double) const {
     return growth.template cast<typename X::Scalar>();
   }
-  /// Exact at any step; the limits of the physics model cover the response of the material.
+  /// Returns infinity: the motion is exact at any time step, and the limits of the physics model cover the response of
+  /// the material.
   double time_step() const { return Kokkos::Experimental::infinity_v<double>; }
 };
 

@@ -4,7 +4,6 @@
 
 #include "../core/finite.hpp"
 #include "../core/loop.hpp"
-#include "../core/one_rank.hpp"
 #include "../fields/position_guard.hpp"
 #include "neighbours.hpp"
 
@@ -60,7 +59,7 @@ struct ListsOutrun {};
 /// caller that can return to an earlier state may request rare checks. The interval to the next check is at most 256
 /// updates; it is extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that
 /// move particles record the first update in which a particle moves too far (PositionGuard). If a list was used after
-/// that update, the next check throws detail::ListsOutrun, and the caller repeats its work with a check after every
+/// that update, outrun() returns true at the next check, and the caller repeats its work with a check after every
 /// update. Rare checks do not change when lists are built: after the first update that moves a particle too far, or at
 /// a regular check that predicts that the lists will soon be invalid. See docs/neighbour_lists.md.
 template <class P>
@@ -74,11 +73,14 @@ class SkinWatch {
   /// Makes a monitor for the lists of a number of bodies, with a skin in m.
   SkinWatch(double skin, std::size_t bodies) : half_skin_(skin / 2), kept_(bodies) { forget_notes(); }
 
-  /// Whether lists built from the stored positions are valid for the positions `now` on all ranks of the case. Call
-  /// this function once after each change of positions. Throws detail::ListsOutrun if invalid lists have been used
-  /// since the last check.
-  template <class Ranks = OneRank>
-  bool serves(Now now, Ranks const& ranks = {});
+  /// Whether crossed() measures displacements at this update.
+  bool looks_now() const { return !rare_looks_ || is_due(); }
+  /// Returns the largest displacement of a particle divided by half the skin, or 0 if looks_now() is false. Returns
+  /// infinity if there are no lists, or if the lists are for other numbers of particles.
+  double crossed(Now now) const;
+  /// Whether the lists are valid if `crossed` is the largest result of crossed(). Call this function once after each
+  /// change of positions and, if looks_now() is true, call outrun() first.
+  bool serves(double crossed);
   /// Stores the positions `now`. Call this function when lists are built from these positions.
   void keep(Now now);
   /// Returns the largest displacement of a particle since the last build, divided by half the skin.
@@ -102,7 +104,7 @@ class SkinWatch {
     rare_looks_ = false;
     forget_notes();
   }
-  /// Whether invalid lists have been used on this rank. Call this function after all kernels have ended.
+  /// Whether invalid lists have been used. Call this function after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
   /// Restores the history that look_rarely() returned, for a caller that repeats the steps since then.
   void go_back(History const& history);
@@ -131,6 +133,7 @@ class SkinWatch {
   void restore(typename P::space const& space, Memory const& memory);
 
  private:
+  bool is_due() const { return history_.updates + 1 >= history_.next_look; }
   // Memory is kept although the number of ghosts changes from build to build, because freeing it waits for all
   // instances.
   static void copy(Kept& kept, Positions<P> const& x);
@@ -155,25 +158,22 @@ class SkinWatch {
 };
 
 template <class P>
-template <class Ranks>
-bool SkinWatch<P>::serves(Now now, Ranks const& ranks) {
+double SkinWatch<P>::crossed(Now now) const {
   ProfilingRegion const region("scree::skin_watch");
-  bool const due = history_.updates + 1 >= history_.next_look;
   bool comparable = builds_ > 0;
   for (std::size_t body = 0; body < kept_.size(); ++body)
     comparable = comparable && now[body].owned == kept_[body].owned;
-  double crossed = comparable ? 0 : std::numeric_limits<double>::infinity();
-  if (due || !rare_looks_) {
-    if (comparable) crossed = crossed_since(now);
-    crossed = ranks.largest(crossed);
-  }
-  if (comparable && (due || !rare_looks_)) {
-    if (rare_looks_ && ranks.on_any(outrun())) throw detail::ListsOutrun();
-    forget_notes();
-  }
+  if (!comparable) return std::numeric_limits<double>::infinity();
+  return looks_now() ? crossed_since(now) : 0;
+}
+
+template <class P>
+bool SkinWatch<P>::serves(double crossed) {
+  bool const due = is_due();
+  if (looks_now()) forget_notes();
   ++history_.updates;
   // A position that is not finite causes a build, which reports it.
-  return comparable && crossed < 1 && !(due && about_to_end(crossed));
+  return crossed < 1 && !(due && about_to_end(crossed));
 }
 
 template <class P>

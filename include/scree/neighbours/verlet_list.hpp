@@ -189,7 +189,7 @@ template <class P, class Rows, class Order>
 void ListInRows<P, Rows, Order>::update(Positions<P> const& targets, Positions<P> const& sources) {
   bool const same = targets.data() == sources.data() && targets.size() == sources.size();
   std::vector<Places<P>> const now{all_owned(targets), same ? Places<P>() : all_owned(sources)};
-  if (watch_.serves(now)) return;
+  if (watch_.serves(watch_.crossed(now))) return;
   watch_.keep(now);
   cells_.update(targets, sources);
   build(targets, sources, cells_.view());

@@ -9,9 +9,9 @@
 
 namespace scree {
 
-/// The number of the inlet that pushes a particle, from 1; 0: the particle is free; negative: it is beyond an open end.
-/// A particle that is held keeps its velocity whatever forces act on it. A formulation with inlets that push, or with
-/// open ends, has `using carries = Fields<Held>`.
+/// The number of the inlet that pushes a particle, counted from 1; 0: the particle is free; negative: the particle is
+/// beyond an open end. A held particle keeps its velocity regardless of the forces on it. A formulation with inlets
+/// that push, or with open ends, needs `using carries = Fields<Held>`.
 struct Held : Integer<"held by inlet", "1"> {
   static constexpr bool may_stay_zero = true;
 };
@@ -22,7 +22,7 @@ inline constexpr Held held{};
 
 namespace detail {
 
-/// A particle with its values, and no acceleration if it is held.
+/// The values of a particle, with zero acceleration if the particle is held.
 template <class I>
 struct HeldPoint {
   I const& i;
@@ -35,7 +35,7 @@ struct HeldPoint {
     return value;
   }
 };
-/// An update of particles that keeps the velocity of those that are held.
+/// An update that keeps the velocity of held particles.
 template <class Update>
 struct HoldingUpdate {
   using reads = Merge<reads_of<Update>, Fields<Held>>;
@@ -46,8 +46,8 @@ struct HoldingUpdate {
     update(HeldPoint<I>{i}, out);
   }
 };
-/// An update for a body that carries the fields of a list: if some of its particles may be held, they keep their
-/// velocity.
+/// Returns an update for a body that carries the fields of a list. If particles of the body can be held, the update
+/// keeps their velocity.
 template <class Carried, class Update>
 auto holding(Update const& update) {
   if constexpr (OneOf<Held, Carried> && OneOf<Acceleration, reads_of<Update>>)
@@ -56,7 +56,7 @@ auto holding(Update const& update) {
     return update;
 }
 
-/// Lets particles of an inlet go that have passed a plane.
+/// An update that releases the particles of an inlet that have passed a plane.
 template <class X>
 struct Release {
   using reads = Fields<Held, Position>;

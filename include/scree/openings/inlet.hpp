@@ -16,37 +16,38 @@
 
 namespace scree {
 
-/// An inlet, at which particles enter layer after layer, each layer one spacing behind the previous one, all with one
+/// An inlet at which particles enter in layers, each layer one spacing behind the previous one, all with the same
 /// velocity.
 ///
-/// If the inlet pushes, the particles in the last support before the domain are held: they keep their velocity. A layer
-/// is made behind them when the column has advanced by one spacing, and the foremost one is let go (after Lastiwka,
-/// Basa & Quinlan 2009, without extrapolation from the domain). Otherwise layers are released where they are made, for
-/// instance grains that fall into the domain.
+/// If the inlet pushes, the particles within one support upstream of the domain are held, that is, they keep their
+/// velocity. Whenever the column has advanced by one spacing, a layer is created behind it and the foremost held layer
+/// is released (after Lastiwka, Basa & Quinlan 2009, without extrapolation from the domain). If the inlet does not
+/// push, layers are released where they are created, for instance as grains that fall into the domain.
 template <int Dim>
 struct Inlet {
-  std::string name = "inlet";  ///< for the ledger and messages
-  /// One layer of points across the velocity, m. Where the inlet pushes, this is the layer next to the material at the
-  /// start. The column continues behind this layer by one support, and so must the walls that guide the column.
+  std::string name = "inlet";  ///< name in the ledger and in messages
+  /// One layer of points (m) perpendicular to the velocity. If the inlet pushes, this is the layer next to the material
+  /// at the start. The column extends behind this layer by one support, and so must the walls that guide the column.
   std::vector<Vec<Dim, double>> layer;
   Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< m/s
   bool pushes = true;
-  /// Volume that enters per time, m^dim/s, at most and by default that of full layers. Only if the inlet does not push,
-  /// and not for particles of a given volume.
+  /// The volume that enters per time (m^dim/s). The default, which is also the maximum, is the rate of full layers.
+  /// Only for an inlet that does not push, and not for particles of a given volume.
   double rate = std::numeric_limits<double>::infinity();
-  /// Duration of the inlet, s. Only if the inlet does not push.
+  /// The duration of the inlet (s). Only for an inlet that does not push.
   double duration = std::numeric_limits<double>::infinity();
 };
 
-/// The column of particles behind an inlet. Layer k = 0, 1, ... is at `layer - k spacing + velocity time`; everything
-/// follows from the time since the inlet was opened, so that no rounding accumulates.
+/// The column of particles behind an inlet. Layer k = 0, 1, ... is at `layer - k spacing + velocity time`. Everything
+/// is computed from the time since the inlet was opened, so that rounding errors do not accumulate.
 template <int Dim>
 class InletColumn {
  public:
   using X = Vec<Dim, double>;
 
-  /// The particles of an inlet with a spacing (m) for a kernel with a support (m). Throws std::invalid_argument for
-  /// settings that are out of range, and for a layer that is not across the velocity.
+  /// Creates the column of an inlet for particles with a spacing (m) and a kernel with a support (m). Throws
+  /// std::invalid_argument for settings that are out of range and for a layer that is not perpendicular to the
+  /// velocity.
   InletColumn(Inlet<Dim> const& inlet, double spacing, double support) : inlet_(inlet), spacing_(spacing) {
     double const infinity = std::numeric_limits<double>::infinity(), speed = inlet.velocity.norm();
     require(!inlet.layer.empty(), "number of points of the layer", 0, "above 0");
@@ -75,24 +76,24 @@ class InletColumn {
     share_ = std::min(1.0, inlet.rate / full);
   }
 
-  /// Time from one layer to the next, s.
+  /// Returns the time from one layer to the next (s).
   double period() const { return period_; }
-  /// The unit vector along the velocity.
+  /// Returns the unit vector along the velocity.
   X const& direction() const { return direction_; }
-  /// The number of layers that have been made a time (s) after the opening.
+  /// Returns the number of layers that have been created at a time (s) after the opening.
   long layers_at(double since) const {
     if (since < inlet_.duration) return std::max(layers_held_, 1L) + advanced(since);
     return std::max(1L, long(std::ceil(inlet_.duration / period_ * (1 - 1e-12))));
   }
-  /// The number of particles in the first layers.
+  /// Returns the number of particles in the first `layers` layers.
   long particles_in(long layers) const { return whole(double(layers) * double(inlet_.layer.size()) * share_); }
-  /// The points of a layer a time (s) after the opening, m.
+  /// Returns the points (m) of a layer at a time (s) after the opening.
   std::vector<X> points(long layer, double since) const {
     X const shift = (inlet_.velocity.norm() * since - double(layer) * spacing_) * direction_;
     long const count = long(inlet_.layer.size());
     std::vector<X> points;
     for (long k = 0; k < count; ++k) {
-      // Each layer begins at another point, so that a small rate does not always leave out the same points.
+      // Each layer begins at a different point, so that a low rate does not always leave out the same points.
       long const turn = (k + layer % count * stride_) % count;
       long const slot = layer * count + k;
       if (whole(double(slot + 1) * share_) > whole(double(slot) * share_))
@@ -100,7 +101,7 @@ class InletColumn {
     }
     return points;
   }
-  /// Particles farther along the direction than this (m) are no longer held.
+  /// Returns the coordinate (m) along the direction beyond which particles are no longer held.
   double held_up_to(double since) const {
     return middle_ + inlet_.velocity.norm() * since - double(advanced(since)) * spacing_ + spacing_ / 2;
   }
@@ -109,9 +110,9 @@ class InletColumn {
   void require(bool good, char const* what, double value, char const* allowed) const {
     if (!good) check_setting(false, (std::string(what) + " of inlet '" + inlet_.name + "'").c_str(), value, allowed);
   }
-  /// The number of whole particles, however a share of a whole number was rounded.
+  /// Returns the number of whole particles, with a tolerance for rounding errors.
   static long whole(double particles) { return long(std::floor(particles * (1 + 1e-12))); }
-  /// The number of spacings that the column has advanced.
+  /// Returns the number of spacings by which the column has advanced.
   long advanced(double since) const {
     return long(std::floor(std::min(since, inlet_.duration) / period_ * (1 + 1e-12)));
   }
@@ -120,21 +121,21 @@ class InletColumn {
   double spacing_, period_ = 0, middle_ = 0, share_ = 1;
   X direction_;
   long layers_held_ = 0;
-  long stride_ = 1;  // from the first point of a layer to that of the next; without common divisor with their number
+  long stride_ = 1;  // shift of the first point from layer to layer; coprime with the number of points
 };
 
 namespace detail {
 
-/// Throws std::invalid_argument if the particles of an inlet would fill another volume than they have: check_packing()
-/// of one layer in the endless column of its layers. Points of a layer that stand alone, a support or more apart, may
-/// enter.
+/// Throws std::invalid_argument if the particles of an inlet would fill a volume that differs from their own. This is
+/// the test of check_packing() for one layer in an endless column of layers. Layers of isolated points, 3 spacings or
+/// more apart, are allowed.
 template <int Dim>
 [[gnu::cold]] void check_layer(Inlet<Dim> const& inlet, double spacing) {
   double const speed = inlet.velocity.norm();
-  if (inlet.layer.empty() || !(speed > 0 && std::isfinite(speed))) return;  // InletColumn refuses it
+  if (inlet.layer.empty() || !(speed > 0 && std::isfinite(speed))) return;  // InletColumn rejects it
   PlacedParticles layer, column;
   layer.add(inlet.layer, std::pow(spacing, Dim));
-  for (int const behind : {0, 1, -1, 2, -2, 3, -3}) {  // packing_of() looks 3 spacings far
+  for (int const behind : {0, 1, -1, 2, -2, 3, -3}) {  // packing_of() includes particles within 3 spacings
     auto points = inlet.layer;
     for (auto& x : points) x += behind * spacing / speed * inlet.velocity;
     column.add(points, std::pow(spacing, Dim));
@@ -163,10 +164,11 @@ template <int Dim>
           .c_str());
 }
 
-/// Whether an inlet does not push and releases full layers: its points are neighbours, and nearly all are used.
+/// Whether an inlet does not push and releases full layers, that is, its points are neighbours and nearly all of them
+/// are used.
 template <int Dim>
 bool rains_in_full(Inlet<Dim> const& inlet, double spacing) {
-  double const full = double(inlet.layer.size()) * inlet.velocity.norm() / spacing;  // particles in a second
+  double const full = double(inlet.layer.size()) * inlet.velocity.norm() / spacing;  // particles per second
   bool const dense = std::count_if(inlet.layer.begin(), inlet.layer.end(), [&](auto const& point) {
                        return (point - inlet.layer.front()).norm() < 1.4 * spacing;
                      }) > 1;

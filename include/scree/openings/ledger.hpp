@@ -11,19 +11,19 @@
 
 namespace scree {
 
-/// The balance of the particles of the material: at_start + entered + added = present + left + removed.
+/// The particle balance of the material: at_start + entered + added = present + left + removed.
 struct Ledger {
-  long at_start = 0;                   ///< when the solver was made
+  long at_start = 0;                   ///< when the solver was created
   long entered = 0, left = 0;          ///< through inlets and drains
   long added = 0, removed = 0;         ///< with add() and remove()
   long present = 0;                    ///< now
-  std::vector<Passed> inlets, drains;  ///< what passed each of them
+  std::vector<Passed> inlets, drains;  ///< particles that have passed each inlet or drain
 
   /// Whether no particle was lost or counted twice.
   bool balances() const { return at_start + entered + added == present + left + removed; }
 };
 
-/// The numbers of particles of a solver that were at the start, entered, left and are present.
+/// Returns the particle balance of a solver in its current state.
 template <class S>
 Ledger ledger(S const& solver) {
   Ledger all;
@@ -37,8 +37,8 @@ Ledger ledger(S const& solver) {
   return all;
 }
 
-/// Throws std::runtime_error unless the ledger balances and the identities of the material are different numbers below
-/// the count of all particles that there have been.
+/// Throws std::runtime_error unless the ledger balances and the identities of the particles of the material are
+/// distinct non-negative numbers, less than the number of all particles so far.
 template <class S>
 void check_ledger(S const& solver) {
   Ledger const all = ledger(solver);

@@ -11,22 +11,23 @@
 
 namespace scree {
 
-/// An end through which material leaves against given values, for instance a stress. Particles beyond the plane take on
-/// these values after each step. One support farther on they also keep their velocity (see Held), since there is
-/// nothing behind them, and after another support they are removed. Material cannot come back through an end.
+/// An open end through which material leaves against given values, for instance a stress. Particles beyond the plane
+/// take these values after each step. Particles more than one support beyond the plane also keep their velocity (see
+/// Held), because there are no particles behind them, and after another support they are removed. Material cannot
+/// return through an open end.
 template <int Dim>
 struct OpenEnd {
-  std::string name = "end";                            ///< for the ledger and messages
-  Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< of the plane, m
-  Vec<Dim, double> normal = Vec<Dim, double>::Zero();  ///< out of the domain, of any length
+  std::string name = "end";                            ///< name in the ledger and in messages
+  Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< point of the plane, m
+  Vec<Dim, double> normal = Vec<Dim, double>::Zero();  ///< points out of the domain; of any length
 };
 
 namespace detail {
 
-/// The number in Held of particles beyond an open end.
+/// The value of Held for particles beyond an open end.
 inline constexpr int held_by_end = -1;
 
-/// The value of a field, or a function of the position that a device can call.
+/// The value that a field keeps: a constant, or a function of the position that a device can call.
 template <class F, class Value>
 struct KeptValue {
   Value value;
@@ -39,7 +40,7 @@ struct KeptValue {
       out[F{}] = Wanted(value(x));
   }
 };
-/// Gives fields of the particles beyond a plane their values, and holds the particles beyond a second plane.
+/// A kernel that sets the given values on particles beyond a plane and holds the particles beyond a second plane.
 template <class P, class List, class... Values>
 struct KeepBeyond;
 template <class P, class... Fs, class... Values>

@@ -20,34 +20,36 @@ namespace scree {
 
 /// Settings of a drain.
 struct Drain {
-  std::string name = "drain";  ///< for the ledger and messages
-  /// The distance that a particle may move inside the drain before it is removed, m; 0: a support. Drains are emptied
-  /// after builds of neighbour lists, so a particle may move by half the skin in any case.
+  std::string name = "drain";  ///< name in the ledger and in messages
+  /// The distance (m) that a particle may move inside the drain before it is removed; 0: one support. Drains are
+  /// emptied after neighbour-list builds, so a particle may move by half the skin in any case.
   double reach = 0;
 };
 
 namespace detail {
 
-/// Drops the particles of a drain that has no receiver.
+/// A receiver that ignores the particles of a drain.
 struct Ignore {
   template <class List>
   void operator()(double, List const&) const {}
 };
 
-/// The inlets, drains and open ends of a solver of class `S`, which has a `State`. Layers are made and drains emptied
-/// between steps, at times that follow from the time and from the number of builds of neighbour lists.
+/// The inlets, drains and open ends of a solver of class `S`, which has a `State`. Layers are created and drains are
+/// emptied between steps; the simulated time and the number of neighbour-list builds determine when.
 template <class S, class State>
 class Openings final : public Component<S> {
  public:
   static constexpr int dim = State::Basis::dim;
   using X = Vec<dim, double>;
-  /// Makes particles at points and returns their volume, m^dim. The inlet with the given number holds them; 0: none.
+  /// A function that creates particles at points and returns their volume (m^dim). The inlet with the given number
+  /// holds the particles; 0: no inlet.
   using Make = std::function<double(State&, std::vector<X> const&, int)>;
-  /// Releases the particles that the inlet with the given number holds and that have passed a plane across a direction.
+  /// A function that releases the particles that the inlet with the given number holds and that have passed a plane
+  /// perpendicular to a direction.
   using LetGo = std::function<void(State&, int, X const&, double)>;
-  /// Removes the particles within a drain, and adds them to its count.
+  /// A function that removes the particles within a drain and adds them to its count.
   using Empty = std::function<void(State&, Passed&)>;
-  /// Gives particles beyond an open end their values.
+  /// A function that sets the given values on particles beyond an open end.
   using Keep = std::function<void(State&)>;
 
   void add(Inlet<dim> const& inlet, double spacing, double support, Make make, LetGo let_go) {
@@ -59,7 +61,8 @@ class Openings final : public Component<S> {
     text += exact(inlet.layer.front()) + " to" + exact(inlet.layer.back()) + " m";
     inlets_.push_back({column, inlet.pushes, text, std::move(make), std::move(let_go), {inlet.name}});
   }
-  /// `half_skin`: how far particles move from one build of lists to the next, m; 0: any distance.
+  /// Adds a drain. `half_skin` is the distance (m) that particles may move between two neighbour-list builds; 0: any
+  /// distance.
   void add(Drain const& drain, double support, double half_skin, Empty empty) {
     check_setting(drain.reach >= 0, "reach (m) of a drain", drain.reach, "0 or more");
     require_name(drain.name);
@@ -67,7 +70,7 @@ class Openings final : public Component<S> {
     long const builds = half_skin > 0 ? std::max(1L, long(reach / half_skin) - 1) : 0;
     drains_.push_back({builds, std::move(empty), {drain.name}});
   }
-  /// An open end is a drain before which particles are given values.
+  /// Adds an open end, which is a drain with given values on the particles in front of it.
   void add(OpenEnd<dim> const& end, double support, double half_skin, Keep keep, Empty empty) {
     double const length = end.normal.norm();
     check_setting(length > 0 && std::isfinite(length), "length of the normal of an open end", length, "above 0");
@@ -84,11 +87,11 @@ class Openings final : public Component<S> {
     for (auto const& inlet : inlets_)
       if (!inlet.open || inlet.column.layers_at(time - inlet.opened) > inlet.layers) return true;
     for (auto const& drain : drains_)
-      if (builds >= checked_ + drain.builds || builds < checked_) return true;  // the second: builds of another search
+      if (builds >= checked_ + drain.builds || builds < checked_) return true;  // fewer builds: another search
     return false;
   }
-  /// All drains are emptied whenever one thing is due, because each change of particles costs a build. Rates of
-  /// particles that enter are zero until they are evaluated in the next step.
+  /// Empties all drains and feeds all inlets whenever one of them is due, because each change of particles costs a
+  /// neighbour-list build. The rates of particles that enter are zero until the next step evaluates them.
   void act(S& solver) override {
     ProfilingRegion const region("scree::openings");
     State& state = State::of(solver);
@@ -203,9 +206,9 @@ class Openings final : public Component<S> {
           throw std::invalid_argument("scree: there is an inlet or drain with the name '" + name +
                                       "' already: give another `.name`");
   }
-  /// The one that was to be opened was refused.
+  /// Whether there are neither inlets nor drains, because the first one was rejected.
   bool are_none() const { return inlets_.empty() && drains_.empty(); }
-  /// Gives particles beyond open ends their values.
+  /// Sets the given values on particles beyond open ends.
   void keep(State& state) const {
     for (auto const& end : ends_) end.keep(state);
   }
@@ -226,7 +229,7 @@ class Openings final : public Component<S> {
   std::vector<OfInlet> inlets_;
   std::vector<OfDrain> drains_;
   std::vector<End> ends_;
-  long checked_ = 0;  // number of builds when the drains were emptied last
+  long checked_ = 0;  // number of builds when the drains were last emptied
 };
 
 }  // namespace detail

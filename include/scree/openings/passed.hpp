@@ -8,8 +8,8 @@ namespace scree {
 
 /// The particles that have entered through an inlet or left through a drain.
 struct Passed {
-  std::string name;    ///< of the inlet or drain
-  long particles = 0;  ///< their number
+  std::string name;    ///< name of the inlet or drain
+  long particles = 0;  ///< number of particles
   double volume = 0;   ///< m^dim
 };
 

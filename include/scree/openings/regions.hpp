@@ -12,14 +12,14 @@
 // Conditions on the position of a particle, for drains and for Solver::remove().
 namespace scree {
 
-/// The region beyond a plane, on the side of its normal.
+/// The region beyond a plane, on the side to which its normal points.
 template <int Dim>
 struct Beyond {
   using reads = Fields<Position>;
-  Vec<Dim, double> point;   ///< of the plane, m
+  Vec<Dim, double> point;   ///< point of the plane, m
   Vec<Dim, double> normal;  ///< of any length above 0
 
-  /// Throws std::invalid_argument if point and normal do not define a plane.
+  /// Throws std::invalid_argument if the point and the normal do not define a plane.
   void check() const {
     check_setting(point.allFinite(), "point of Beyond (m)", point.sum(), "finite");
     double const length = normal.norm();
@@ -32,7 +32,7 @@ struct Beyond {
     return distance > 0;
   }
 };
-/// In a block aligned with the axes. Its edges may be at infinity.
+/// The region inside a block that is aligned with the axes. The faces of the block may be at infinity.
 template <int Dim>
 struct Within {
   using reads = Fields<Position>;

@@ -16,18 +16,18 @@
 #include <string>
 #include <utility>
 
-// The only neighbour loop of passes. The loop accumulates the sums, the terms contain the physics, and neither depends
-// on the neighbour search, the execution space or the wall model.
+// The neighbour loop that all pair passes share. The loop accumulates the sums and the terms contain the physics;
+// neither depends on the neighbour search, the execution space or the wall model.
 namespace scree {
 namespace detail {
 
-/// A lens that gives the value of a field of particle j as particle i sees it.
+/// Whether a lens gives the value of a field of particle j for particle i.
 template <class Lens, class F, class I, class J>
 concept ShowsField = requires(Lens const& lens, F field, I const& i, J const& j) {
   lens(field, i, j);
 };
 
-/// One body of neighbours: its columns, the view of a search, the lens through which i sees j, and the terms to be
+/// One body of neighbours with its columns, the view of a search, the lens for the values of j, and the terms to be
 /// summed.
 template <class P, class View, class Lens, class... Terms>
 struct Source : Terms... {
@@ -39,7 +39,7 @@ struct Source : Terms... {
   Columns<P, stored> particles;
   View neighbours;
   Lens lens;
-  bool same_body;  // targets and sources are one body, so that j == i is the particle itself
+  bool same_body;  // targets and neighbours are the same body, so j == i is the particle itself
 
   static constexpr bool in_packs = has_packs && runs_on_host<P> && takes_packs<typename P::kernel> &&
                                    takes_packs<Lens> && (takes_packs<Terms> && ...);
@@ -63,7 +63,7 @@ struct Source : Terms... {
       neighbours.for_each(i, self[fields::position], Visit<I, S>{*this, i, self, kernel, sums}, range);
     }
   }
-  /// Adds the terms of a pack of pairs.
+  /// Adds the terms of one pack of pairs.
   template <class I, class J, class S>
   SCREE_LOOP_FN void apply_all(I const& i, J const& j, Pair<Packed<P>> const& ij, S& sums) const {
     auto const other = seen<Packed<P>>(i, j, reads{});
@@ -96,25 +96,25 @@ struct Source : Terms... {
     else if (!itself)
       static_cast<Term const&> (*this)(i, j, ij, sums);
   }
-  /// Adds the pair of a particle with itself after all other pairs, if pairs are summed in packs. Without packs the
-  /// loop itself visits this pair, which is faster on a GPU (docs/performance.md).
+  /// Adds the pair of a particle with itself after all other pairs if pairs are summed in packs. Without packs, the
+  /// neighbour loop visits this pair, which is faster on a GPU (docs/performance.md).
   template <class I, class S>
   SCREE_LOOP_FN void add_itself(int i, I const& self, kernel_of<P> const& kernel, S& sums) const {
     using namespace fields;
     if constexpr ((includes_self<Terms> || ...)) {
       auto const other = seen<P>(self, particles.load(i), reads{});
-      Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero, if it is a number
+      Vec<P::dim, typename P::real> const x = self[position] - self[position];  // zero or NaN
       Pair<P> const ij(x, norm(x), kernel);
       (apply<Terms>(true, self, other, ij, sums), ...);
     }
   }
 
   /// Finds the particles within the support first and visits them afterwards, so that lanes which reject a candidate do
-  /// not wait for lanes which accept one. The order of summation is the same.
+  /// not wait for lanes which accept one. The order of summation does not change.
   template <class I, class S>
   SCREE_LOOP_FN void add_found(int i, I const& self, kernel_of<P> const& kernel, LaneRange range, S& sums) const {
     using namespace fields;
-    constexpr int room = 64;  // more than a lane usually finds; otherwise the search is repeated
+    constexpr int room = 64;  // more than a lane usually finds; if a lane finds more, the search is repeated
     int found[room], done = 0, all = 0;
     auto const place = self[position];
     auto const squared_radius = sq(kernel.radius());
@@ -154,15 +154,15 @@ struct Source : Terms... {
     real const squared = squared_norm(x);
     if (squared >= sq(kernel.radius())) return;
     auto const other = seen<P>(self, particles.load(j, place), reads{});
-    // The root comes after the loads: a GPU computes it while it waits for the data.
+    // The root follows the loads because a GPU computes it while it waits for the data.
     Pair<P> const ij(x, root(squared), kernel);
     (apply<Terms>(itself, self, other, ij, sums), ...);
   }
 };
 
-/// The K-th source of a loop. The source is a member and not a base class: if the first base of a source is a term of
-/// one byte, nvcc 13 places that source right after the last byte of the preceding one, without regard to its
-/// alignment. The host compiler does not, so the device would read other values than the host has passed.
+/// The K-th source of a loop. The source is a member and not a base class, because nvcc 13 misaligns a base class whose
+/// own first base is a term of one byte: it places the source right after the last byte of the preceding one. The host
+/// compiler does not, so the device would read values other than those passed by the host.
 template <std::size_t K, class S>
 struct Indexed {
   S source;
@@ -216,12 +216,12 @@ struct PairLoop<P, ReadFields, Adds, Where, Then, std::index_sequence<K...>, Sou
         targets(n),
         lanes(lanes_for<P>(everywhere)) {}
 
-  /// Sums over the neighbours of target `i` in one thread.
+  /// Sums over the neighbours of target `i` with one thread.
   SCREE_FN void operator()(int i) const {
     auto const self = reads.load(i);
     finish(i, self, sum(i, self, {}));
   }
-  /// Sums over the neighbours of a target in the vector lanes of a thread, each of which takes a share of the
+  /// Sums over the neighbours of a target with the vector lanes of a thread, each of which takes a share of the
   /// neighbours.
   template <class Team>
   requires requires(Team const& team) { team.league_rank(); }
@@ -260,16 +260,17 @@ struct PairLoop<P, ReadFields, Adds, Where, Then, std::index_sequence<K...>, Sou
 
 }  // namespace detail
 
-/// Options of a pair loop.
+/// The options of a pair loop.
 template <class P, class Where = Everywhere, class Then = StoreSums>
 struct PairLoopOptions {
   PassLabel label;      ///< the name of the loop in profiles
   kernel_of<P> kernel;  ///< the kernel with its smoothing length
-  Where where = {};     ///< which particles sum over their neighbours
-  Then then = {};       ///< takes the sums of a particle, or stores them
+  Where where = {};     ///< the particles that sum over their neighbours
+  Then then = {};       ///< the function of a particle's sums, or StoreSums
 };
 
-/// One source of a pair loop: a body, the search that finds its particles, a lens, and the terms to be summed over it.
+/// One source of a pair loop: a body, the search that finds its particles, a lens, and the terms to be summed over the
+/// body.
 template <class Body, class Search, class Lens, class... Terms>
 struct From {
   using adds = Merge<adds_of<Terms>...>;
@@ -281,12 +282,12 @@ struct From {
   Lens lens;
   detail::Tuple<Terms...> terms;
 };
-/// The neighbours in a body and the terms to be summed over them, with the neighbours' own values.
+/// Returns the source that sums terms over the particles of a body with the particles' own values.
 template <class Body, class Search, class... Terms>
 From<Body, Search, AsIs, Terms...> from(Body const& body, Search const& search, Terms const&... terms) {
   return {body, search, AsIs{}, {terms...}};
 }
-/// The neighbours in a body and the terms to be summed over them, with the values that a lens gives.
+/// Returns the source that sums terms over the particles of a body with the values that a lens gives.
 template <class Lens, class Body, class Search, class... Terms>
 From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, Search const& search,
                                            Terms const&... terms) {
@@ -294,7 +295,7 @@ From<Body, Search, Lens, Terms...> through(Lens const& lens, Body const& body, S
 }
 
 namespace detail {
-/// One message for each part of a pair loop that does not fit.
+/// Whether all parts of a pair loop meet their concepts; otherwise the compiler reports the parts that do not.
 template <class P, class Where, class Then, class... Froms>
 constexpr bool explain_pair_loop() {
   constexpr bool are_terms = (Froms::template are_terms<P> && ...), is_condition = ParticleCondition<Where, P>;
@@ -323,29 +324,29 @@ auto make_source(typename P::space const& space, void const* targets, From<Body,
       from.terms);
 }
 
-// The number is small, so that a few thousand particles occupy the whole GPU.
+// Teams are small enough for a few thousand particles to occupy the whole GPU.
 inline constexpr int threads_per_team = 64;
-// In single precision the pass waits for data: more teams per multiprocessor gain more than a few values in registers
-// (docs/performance.md).
+// In single precision, a pass is bound by memory latency, and more teams per multiprocessor gain more than a few more
+// registers per thread (docs/performance.md).
 template <class P>
 using Teams =
     Kokkos::TeamPolicy<typename P::space,
                        std::conditional_t<std::is_same_v<typename P::real, float>,
                                           Kokkos::LaunchBounds<threads_per_team, 14>, Kokkos::LaunchBounds<>>>;
 
-/// The loop that sums over some sources.
+/// The type of the loop that sums over the given sources.
 template <class P, class Where, class Then, class... Sources>
 using PairLoopOver =
     PairLoop<P, Merge<Fields<Position>, typename Sources::reads_i..., reads_of<Where>, reads_of<Then>>,
              Merge<typename Sources::adds...>, Where, Then, std::index_sequence_for<Sources...>, Sources...>;
 
-/// Whether the library scree::compiled contains a pair loop, which run_compiled_loop() then runs.
+/// Whether the library scree::compiled contains a pair loop; if so, run_compiled_loop() runs it.
 template <class P, class Loop>
 struct is_compiled_loop : std::false_type {};
 template <class P, class Loop>
 void run_compiled_loop(typename P::space const& space, PassLabel const& label, Loop const& loop);
 
-/// Runs a pair loop.
+/// Runs a pair loop on the host or, in teams of threads, on a GPU.
 template <class P, class Loop>
 void run_loop(typename P::space const& space, PassLabel const& label, Loop const& loop) {
   if constexpr (runs_on_host<P>) {
@@ -367,11 +368,11 @@ void run_pair_loop(PairLoopOptions<P, Where, Then> const& options, Targets const
 }
 }  // namespace detail
 
-/// For each owned target i, sums the terms of each source over the particles of its body within the support, and stores
-/// the sums (overwriting the fields) or the result of `then`. Where `where(i)` is false, the sums are zero. Results do
-/// not depend on the number of threads. Terms are summed in the order of the search, with two exceptions: if several
-/// lanes share a target, each sums its own part (lanes_for()); if pairs are summed in packs, the pair of a particle
-/// with itself comes last.
+/// Sums the terms of each source, for each owned target i, over the particles of the source's body within the support,
+/// and stores the sums (overwriting the fields) or the result of `then`. The sums of targets for which `where(i)` is
+/// false are zero. Results do not depend on the number of threads. Pairs are summed in the order of the search, with
+/// two exceptions: several lanes that share a target each sum their own part (lanes_for()), and the pair of a particle
+/// with itself comes last if pairs are summed in packs.
 template <class P, class Where, class Then, class Targets, class... Froms>
 void for_each_pair(PairLoopOptions<P, Where, Then> const& options, Targets const& targets, Froms const&... froms) {
   if constexpr (detail::explain_pair_loop<P, Where, Then, Froms...>())

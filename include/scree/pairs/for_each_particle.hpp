@@ -71,7 +71,7 @@ ParticleLoop<P, Function> particle_loop(Body const& body, Function const& functi
 
 }  // namespace detail
 
-/// Applies a function of one particle to all owned particles.
+/// Applies a function of one particle to each owned particle of a body.
 template <class P, class Function, class Body>
 void for_each_particle(std::string_view label, Body const& body, Function const& function) {
   static_assert(PointFunction<Function, P>,
@@ -80,7 +80,7 @@ void for_each_particle(std::string_view label, Body const& body, Function const&
     for_each_index(body.space(), label, 0, body.size(), detail::particle_loop<P>(body, function));
 }
 
-/// Applies one function to the particles of one body and another to those of another body, in one sweep.
+/// Applies one function to the particles of body `a` and another to the particles of body `b`, in one kernel launch.
 template <class P, class First, class Second, class A, class B>
 void for_each_particle_of_two(std::string_view label, A const& a, First const& first, B const& b,
                               Second const& second) {

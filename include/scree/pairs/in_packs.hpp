@@ -11,11 +11,11 @@
 
 #include <type_traits>
 
-// The pairs of a target on a CPU: those within the support are collected, and the terms process one pack of them at a
-// time, with one pair per lane.
+// The summation over the neighbours of a target on a CPU: the pairs within the support are collected, and the terms
+// process one pack of pairs at a time, with one pair per lane.
 namespace scree::detail {
 
-/// A basis whose numbers are packs.
+/// The basis P with packs in place of its real numbers.
 template <class P, class Lanes = Pack<typename P::real>>
 struct Packed {
   static constexpr int dim = P::dim;
@@ -28,7 +28,8 @@ inline constexpr bool has_integers = false;
 template <class P, class... Fs>
 inline constexpr bool has_integers<P, Fields<Fs...>> = (std::is_integral_v<value_t<P, Fs>> || ...);
 
-/// Values of a field in packs, value_in(k) in lane k. Integers are not vectorised: all lanes share one.
+/// Returns the values of a field in packs, with value_in(k) in lane k. Integers are not vectorised: all lanes share the
+/// integer of lane 0.
 template <class P, class F, class ValueIn>
 SCREE_LOOP_FN value_t<Packed<P>, F> in_lanes(F, ValueIn const& value_in) {
   using Value = value_t<P, F>;
@@ -56,7 +57,7 @@ SCREE_LOOP_FN auto sum_of_lanes(Small<Pack<Real, Size>, Rows, Cols> const& value
   return sum;
 }
 
-/// The sums of some fields among those of a target.
+/// The sum of one field of a target.
 template <class P, class F>
 struct SumAt {
   Sum<value_t<P, F>>& sum;
@@ -73,8 +74,8 @@ struct SumsAmong<P, Fields<Fs...>> : SumAt<P, Fs>... {
   }
 };
 
-/// Sums the terms over pairs of one target with the particles of a source. Its type does not depend on the other
-/// sources of the loop, nor on the function that takes the sums.
+/// The sum of the terms over the pairs of one target with the particles of a source. The type depends neither on the
+/// other sources of the loop nor on the function that takes the sums.
 template <class P, class Source>
 class SumInPacks {
   using Lanes = Pack<typename P::real>;
@@ -89,7 +90,8 @@ class SumInPacks {
   SCREE_LOOP_FN SumInPacks(Source const& source, I const& self, kernel_of<P> const& kernel, S& sums)
       : source_(source), self_(part_of(self, typename Source::reads_i{})), kernel_(kernel), sums_(sums) {}
 
-  /// j: particles within the support, with capacity after them to fill the last pack.
+  /// Sums over the first `count` particles of j, which lie within the support. The array j must have room to fill the
+  /// last pack.
   SCREE_LOOP_FN void operator()(int* j, int count) const {
     auto const i = repeated(typename Source::reads_i{});
     kernel_of<Packed<P>> const kernel(kernel_);
@@ -128,7 +130,7 @@ class SumInPacks {
     return {{in_lanes<P>(
         Fs{}, [&](int lane) -> auto const& { return source_.particles[Fs{}](j[lane]); })}...};
   }
-  /// Adds the first `count` lanes of the totals.
+  /// Adds the first `count` lanes of the totals to the sums.
   template <class... Fs>
   SCREE_LOOP_FN void add(Totals const& totals, int count, Fields<Fs...>) const {
     auto const in_packs = totals.totals();
@@ -141,13 +143,13 @@ class SumInPacks {
   Added const sums_;
 };
 
-/// Runs it. Models with the same source share this function. Inlining is forced because in a large file GCC would call
-/// the terms as functions, which costs more than packs save.
+/// Runs a summation in packs. Models with the same source share this function. Inlining is forced because, in a large
+/// file, GCC would otherwise call the terms as functions, which costs more than packs save.
 template <class P, class Source>
 [[gnu::flatten, gnu::noinline]] void run_sum(SumInPacks<P, Source> const& sum, int* j, int count) {
   sum(j, count);
 }
-/// Whether the library scree::compiled has run_sum() for a source, as run_compiled_sum().
+/// Whether the library scree::compiled contains run_sum() for a source, under the name run_compiled_sum().
 template <class P, class Source>
 inline constexpr bool is_compiled_sum = false;
 template <class P, class Source>
@@ -161,20 +163,21 @@ SCREE_LOOP_FN void run_in_packs(SumInPacks<P, Source> const& sum, int* j, int co
     run_sum(sum, j, count);
 }
 
-/// Sums over the pairs of one target. Sums depend on the pairs within the support and on their order, not on the other
-/// candidates.
+/// Sums the terms of a source over the pairs of one target. The sums depend on the pairs within the support and on
+/// their order, not on the other candidates.
 template <class P, class Source, class I, class S>
 SCREE_LOOP_FN void sum_in_packs(Source const& source, int i, I const& self, kernel_of<P> const& kernel, LaneRange range,
                                 S& sums) {
   using namespace fields;
   SumInPacks<P, Source> const sum(source, self, kernel, sums);
-  constexpr int room = 128;  // more than most targets need
+  constexpr int room = 128;  // more neighbours than most targets have
   static_assert(room % decltype(sum)::lanes == 0);
   int found[room], count = 0;
   auto const place = self[position];
   auto const squared_radius = sq(kernel.radius());
   int const itself = source.same_body ? i : -1;
-  // No branch, because it would be mispredicted close to the radius. A NaN distance must show in the sums.
+  // The loop has no branch, which would be mispredicted close to the radius. A pair with a NaN distance is kept, so NaN
+  // appears in the sums.
   auto const add = [&](int j) {
     found[count] = j;
     bool const beyond = squared_norm(place - source.particles.load(position, j)) >= squared_radius;

@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The geometry of a pair of particles: everything that a term may need in addition to fields.
+/// The geometry of a pair of particles and the kernel: everything that a term may need besides fields.
 template <class P>
 class Pair {
  public:
@@ -14,23 +14,23 @@ class Pair {
   using vector = Vec<P::dim, real>;
 
   vector x;  ///< x_i - x_j, m
-  real r;    ///< |x|, m; zero for a particle with itself
+  real r;    ///< |x|, m; zero for the pair of a particle with itself
 
-  /// Two particles with x_i - x_j (m), their distance (m) and the kernel.
+  /// Takes x_i - x_j (m), the distance of the two particles (m) and the kernel.
   SCREE_FN Pair(vector const& x_ij, real distance, kernel_of<P> const& kernel)
       : x(x_ij), r(distance), kernel_(kernel) {}
 
-  /// Smoothing length, m.
+  /// Returns the smoothing length, m.
   SCREE_FN real h() const { return kernel_.h(); }
-  /// Radius of the support, m.
+  /// Returns the radius of the support, m.
   SCREE_FN real support() const { return kernel_.radius(); }
-  /// W(r), 1/m^dim.
+  /// Returns W(r), 1/m^dim.
   SCREE_FN real W() const { return kernel_.value(r); }
-  /// W at another distance (m) within the support, 1/m^dim.
+  /// Returns W at another distance (m) within the support, 1/m^dim.
   SCREE_FN real W_at(real distance) const { return kernel_.value(distance); }
-  /// (dW/dr)/r <= 0, 1/m^(dim + 2).
+  /// Returns (dW/dr)/r (1/m^(dim + 2)), which is never positive.
   SCREE_FN real slope() const { return kernel_.slope_over_distance(r); }
-  /// Gradient of W with respect to x_i: points from i towards j.
+  /// Returns the gradient of W with respect to x_i (1/m^(dim + 1)), which points from i towards j.
   SCREE_FN vector gradW() const { return slope() * x; }
 
  private:

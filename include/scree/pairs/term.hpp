@@ -17,12 +17,14 @@ template <class T>
 using record_j = Merge<reads_of<T>, reads_j_of<T>>;
 }  // namespace detail
 
-/// One sum over neighbours, $\sum_j f(i, j)$: names the fields that it reads of both particles (`reads`), those that it
-/// reads of i or of j only (`reads_i`, `reads_j`, optional) and those that it adds to (`adds`), and has
-///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer += only.
+/// Whether T is a term, a sum over neighbours $\sum_j f(i, j)$. A term lists the fields that it reads from both
+/// particles (`reads`), the fields that it reads from i or j alone (`reads_i`, `reads_j`, both optional) and the fields
+/// that it adds to (`adds`), and has
+///   operator()(i, j, ij, sum)   with records i and j, the Pair ij, and sums that offer only +=.
 /// `static constexpr bool includes_self = true` requests the pair of a particle with itself, at r = 0; takes_packs =
-/// true declares that the term accepts several pairs at once (core/pack.hpp), is_long = true that a pair takes hundreds
-/// of operations, so that a GPU finds the pairs of a particle before it adds them.
+/// true declares that the term accepts several pairs at once (core/pack.hpp); is_long = true declares that a pair takes
+/// hundreds of operations, so that a loop without packs, as on a GPU, finds all neighbours of a particle before it adds
+/// their terms.
 template <class T, class P>
 concept PairTerm = requires {
   typename T::reads;
@@ -40,14 +42,14 @@ template <class T>
 requires requires { T::includes_self; }
 inline constexpr bool includes_self<T> = T::includes_self;
 
-/// Whether a term says that a pair takes many operations.
+/// Whether a term declares that a pair takes hundreds of operations.
 template <class T>
 inline constexpr bool is_long = false;
 template <class T>
 requires requires { T::is_long; }
 inline constexpr bool is_long<T> = T::is_long;
 
-/// A function of a single particle: it has lists `reads` and `writes`, and operator()(i, out).
+/// Whether T is a function of a single particle, with lists `reads` and `writes` and operator()(i, out).
 template <class T, class P>
 concept PointFunction = requires {
   typename T::reads;
@@ -55,13 +57,14 @@ concept PointFunction = requires {
 }
 &&requires(T const& function, Record<P, reads_of<T>> const& i, Results<P, writes_of<T>>& out) { function(i, out); };
 
-/// A condition on a particle, the `where` of a pass: `reads`, and operator()(i), which returns a bool.
+/// Whether T is a condition on a particle, the `where` of a pass, with a list `reads` and operator()(i), which returns
+/// a bool.
 template <class T, class P>
 concept ParticleCondition = requires(T const& condition, Record<P, reads_of<T>> const& i) {
   typename T::reads;
   { condition(i) } -> std::convertible_to<bool>;
 };
-/// All targets.
+/// The condition that holds for all particles.
 struct Everywhere {
   using reads = Fields<>;
   template <class I>
@@ -70,9 +73,8 @@ struct Everywhere {
   }
 };
 
-/// The last part of a pass over neighbours, its `then`: StoreSums, or a function of the particle and of its sums. The
-/// function has lists `reads` (of particle i) and `writes`, and operator()(i, total, out); the sums are then not
-/// stored.
+/// Whether T is a function of a particle and its sums, the `then` of a pair pass. The function has lists `reads` (of
+/// particle i) and `writes`, and operator()(i, total, out). A pass with such a function does not store the sums.
 template <class T, class P, class Adds>
 concept FunctionOfSums = requires {
   typename T::reads;
@@ -82,16 +84,16 @@ concept FunctionOfSums = requires {
            Results<P, writes_of<T>>& out) {
   function(i, total, out);
 };
-/// The end of a pass that stores its sums.
+/// The `then` of a pass that stores its sums.
 struct StoreSums {};
-/// Whether a pass stores its sums.
+/// Whether a pass with this `then` stores its sums.
 template <class Then>
 inline constexpr bool stores_sums = std::is_same_v<Then, StoreSums>;
 
-/// The lens that changes nothing. A lens gives the values of particle j of a body as particle i sees them. It has one
-/// overload operator()(Field, i, j) for each field in `provides`, and only for these; all other fields are j's own.
-/// `reads` and `reads_i` name the fields that it needs of j and of i in addition to those of the terms; `takes_packs`
-/// is as for terms.
+/// The lens that changes nothing. A lens replaces values of particle j for a given particle i. It has one overload
+/// operator()(Field, i, j) for each field in `provides`, and for no other field; all other values are j's own. `reads`
+/// and `reads_i` list the fields that the lens needs from j and from i in addition to those of the terms; `takes_packs`
+/// has the same meaning as for terms.
 struct AsIs {
   static constexpr bool takes_packs = true;
   using provides = Fields<>;

@@ -6,7 +6,8 @@
 
 namespace scree::detail {
 
-// Lists of fields for System::columns: what a pass reads of neighbours of a body, and what it writes of a body.
+// Lists of fields for System::columns: the fields of a body that a pass reads from neighbours, and the fields of a body
+// that it writes.
 template <class Pass>
 struct ReadOfNeighbours {
   template <class Body>
@@ -25,7 +26,7 @@ template <class Sys, class Pass>
 void run_pass(void const* pass, void* system) {
   static_cast<Pass const*>(pass)->run(*static_cast<Sys*>(system));
 }
-/// A pass of a system as a value, which refers to the pass. A pass that gives none runs as it likes.
+/// Returns a value that refers to a pass of a system. For a pass without value(), the value calls run() of the pass.
 template <class Sys, class Pass>
 AnyPass any_pass(Pass const& pass) {
   if constexpr (GivesAnyPass<Pass, Sys>)
@@ -33,7 +34,7 @@ AnyPass any_pass(Pass const& pass) {
   else
     return {.loops = run_pass<Sys, Pass>, .pass = &pass};
 }
-/// Runs one pass alone.
+/// Runs a single pass.
 template <class Sys, class Pass>
 void run_alone(Sys& system, Pass const& pass) {
   AnyPass const value = any_pass<Sys>(pass);

@@ -16,16 +16,17 @@
 #include <type_traits>
 #include <vector>
 
-// NaN and infinity spread over all particles within a few steps; an early report names their origin.
+// Checks for non-finite values. NaN and infinity spread over all particles within a few steps; an early report names
+// the particle at which they started.
 namespace scree {
 namespace detail {
 
-/// A field in messages about the values that a particle has.
+/// A field for messages about the values of a particle.
 struct FieldInWords {
   std::string_view name, unit;
-  void const* key;      // &field_key of it
-  std::size_t numbers;  // in a value; 0: integers are always finite
-  bool in_float;        // whether they are in single precision
+  void const* key;      // &field_key of the field
+  std::size_t numbers;  // numbers in a value; 0 for integers, which are always finite
+  bool in_float;        // whether the numbers are in single precision
 };
 template <class P, class F>
 constexpr FieldInWords in_words() {
@@ -40,29 +41,30 @@ constexpr FieldInWords in_words() {
   }
 }
 
-/// "1" or "(1, 2)".
+/// Returns numbers as text, for instance "1" or "(1, 2)".
 [[gnu::cold]] std::string text_of_numbers(std::vector<double> const& numbers);
 
-/// One number, for UntypedParticles::to_host().
+/// Returns an array of one index, for UntypedParticles::to_host().
 template <class P>
 [[gnu::cold]] Array<P, int const> alone(AnyParticles<P> const& body, int i) {
   return array_of<P>(body.space(), std::vector<int>{i});
 }
-/// The name of a particle in messages, "particle 7" or "particle 7 of the clay": its identity, or its index if the body
-/// has none. `of_body` is the name of the body, empty where it is clear.
+/// Returns the name of a particle for messages, for instance "particle 7" or "particle 7 of the clay". The number is
+/// the identity of the particle, or its index if the body has no identities. `of_body` is the name of the body; leave
+/// it empty if there is only one.
 template <class P>
 [[gnu::cold]] std::string name_of_particle(AnyParticles<P> const& body, int i, std::string_view of_body = {}) {
   if (body.has(fields::identity)) i = body.to_host(fields::identity, alone(body, i)).front();
   return formatted("particle %d", i) + (of_body.empty() ? "" : " of the ") + std::string(of_body);
 }
-/// " at (1, 2) m", or nothing.
+/// Returns the position of a particle as text, for instance " at (1, 2) m", or "" if the body has no positions.
 template <class P>
 [[gnu::cold]] std::string place_of_particle(AnyParticles<P> const& body, int i) {
   if (!body.has(fields::position)) return "";
   auto const x = body.to_host(fields::position, alone(body, i)).front().template cast<double>().eval();
   return formatted(" at %s m", text_of_numbers({x.data(), x.data() + x.size()}).c_str());
 }
-/// Throws the error that stop_at() names.
+/// Throws std::runtime_error with the message that stop_at() describes.
 template <class P>
 [[gnu::cold]] void stop_at_particle(int i, AnyParticles<P> const& body, std::initializer_list<FieldInWords> fields,
                                     long step, std::string_view of_body) {
@@ -87,9 +89,9 @@ template <class P>
 
 }  // namespace detail
 
-/// Throws std::runtime_error if survey() found a particle with a value of one of the fields that is not finite. The
-/// message gives its identity (its index if the body has none), the name of the body unless it is empty, the field, the
-/// step and the position (m).
+/// Throws std::runtime_error if survey() found a particle with a non-finite value in one of the fields. The message
+/// gives the identity of the particle (its index if the body has no identities), the name of the body unless it is
+/// empty, the field, the step and the position (m).
 template <class P, class... Fs>
 void stop_at(int first_not_finite, AnyParticles<P> const& body, Fields<Fs...>, long step,
              std::string_view of_body = {}) {
@@ -97,9 +99,9 @@ void stop_at(int first_not_finite, AnyParticles<P> const& body, Fields<Fs...>, l
     detail::stop_at_particle(first_not_finite, body, {detail::in_words<P, Fs>()...}, step, of_body);
 }
 
-/// Throws std::runtime_error, as stop_at() does, if a value of one of the fields is not finite; the message names
-/// the owned particle with the lowest index that has such a value. It takes one sweep over the particles; values are
-/// copied to the host only for the message.
+/// Throws std::runtime_error with the message of stop_at() if a value of one of the fields is not finite. The message
+/// names the owned particle with the lowest index among those with non-finite values. The check takes one sweep over
+/// the particles; values are copied to the host only for the message.
 template <class Body, class List>
 void check_finite(Body const& body, List list, long step, std::string_view of_body = {}) {
   stop_at(survey(body, list).first_not_finite, body, list, step, of_body);

@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <utility>
 
-// Fuses passes into fewer sweeps if the results are the same as those of the separate passes. The fields that the
-// passes read and write decide this at compile time.
+// Fusion of passes into fewer sweeps with the same results. The fields that the passes read and write determine at
+// compile time which passes can be fused.
 namespace scree {
 namespace detail {
 
@@ -34,7 +34,7 @@ inline constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
 /// One contribution to a field: a term that is summed over a body through a lens.
 template <class Body, class Lens, class Term>
 struct Summand {
-  static constexpr bool is_known = std::is_empty_v<Term>;  // two values of the type are equal
+  static constexpr bool is_known = std::is_empty_v<Term>;  // any two values of the type are equal
 };
 
 template <class F, class Over>
@@ -56,7 +56,7 @@ inline constexpr bool are_equal_sets<Tuple<As...>, Tuple<Bs...>> = (As::is_known
                                                                    (is_one_of<As, Bs...> && ...) &&
                                                                    (is_one_of<Bs, As...> && ...);
 
-/// Whether the fields to which both passes add get the same sums in both.
+/// Whether two passes compute the same sums for the fields to which both add.
 template <class A, class B, class List>
 inline constexpr bool have_equal_sums = false;
 template <class A, class B, class... Fs>
@@ -69,7 +69,7 @@ inline constexpr bool is_comparable_lens = std::is_empty_v<Lens> || requires(Len
   { a == b } -> std::convertible_to<bool>;
 };
 
-/// Whether one sweep over a body computes the same as two passes one after the other.
+/// Whether one sweep over a body gives the same results as two passes one after the other.
 template <class A, class B>
 inline constexpr bool may_fuse = false;
 template <class T, class ThenA, class... As, class ThenB, class... Bs>
@@ -98,7 +98,7 @@ template <class Body, class Lens, class... Terms>
 Over<Body, Lens, Terms...> over_tuple(Lens const& lens, Tuple<Terms...> const& terms) {
   return {lens, terms};
 }
-/// The terms of two passes over one source, without duplicates.
+/// Returns the terms of two passes over the same source, without duplicates.
 template <class Body, class Lens, class... As, class... Bs>
 auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) {
   if constexpr (!std::is_empty_v<Lens>)
@@ -117,7 +117,7 @@ auto joined(Over<Body, Lens, As...> const& a, Over<Body, Lens, Bs...> const& b) 
       [&](Bs const&... terms) { return over_tuple<Body>(a.lens, in_a_row(a.terms, unless_in_a(terms)...)); }, b.terms);
 }
 
-/// A source of one pass, with the terms that another pass sums over the same body through the same lens.
+/// Returns a source of one pass, extended by the terms that another pass sums over the same body through the same lens.
 template <class A, class... Bs>
 auto joined_with_same(A const& a, Tuple<Bs...> const& others) {
   auto const add = [&](auto const& sum, auto const& b) {
@@ -134,7 +134,7 @@ auto joined_with_same(A const& a, Tuple<Bs...> const& others) {
                        others);
   }
 }
-/// A source of one pass, or nothing if the other pass has the same source.
+/// Returns a source of one pass, or nothing if the other pass has the same source.
 template <class B, class... As>
 auto unless_same(B const& b, Tuple<As...> const&) {
   if constexpr ((same_source<As, B> || ...))
@@ -148,7 +148,7 @@ PairPass<T, Everywhere, Then, Overs...> pass_of(PassLabel const& label, Then con
                                                 Tuple<Overs...> const& overs) {
   return {label, {}, then, overs};
 }
-/// "scree::a" and "scree::b" give "scree::a+b".
+/// Returns the label of two fused passes: "scree::a" and "scree::b" give "scree::a+b".
 inline PassLabel joined_labels(PassLabel const& a, PassLabel const& b) {
   auto const end = b.text().rfind("::");
   bool const same = end != std::string_view::npos && a.text().starts_with(b.text().substr(0, end + 2));
@@ -169,15 +169,15 @@ auto fuse_two(PairPass<T, Everywhere, ThenA, As...> const& a, PairPass<T, Everyw
   return pass_of<T>(joined_labels(a.label, b.label), together(a.then, b.then), overs);
 }
 
-/// Whether pass K of a list may run last instead.
+/// Whether pass K of a list may run last without a change of the results.
 template <class Passes, std::size_t K, std::size_t... M>
 constexpr bool can_be_last(std::index_sequence<M...>) {
   return (commute<type_at<K, Passes>, type_at<K + 1 + M, Passes>> && ...);
 }
-/// The pass of a list with which the next pass can be fused without a change of the results, and the place in the list
-/// where both then run.
+/// The pass of a list with which the next pass can be fused without a change of the results, and the position in the
+/// list at which the fused pass runs.
 struct FusionPlace {
-  int number = -1;  ///< -1: there is no such pass
+  int number = -1;  ///< -1 if there is no such pass
   bool last = false;
 };
 template <class Next, class Passes, std::size_t N = tuple_size<Passes>, bool MovesUp = true>
@@ -194,7 +194,7 @@ constexpr FusionPlace place_for() {
     return place_for<Next, Passes, N - 1, moves_farther>();
   }
 }
-/// Returns a list in which another pass takes the place of pass number `Place`.
+/// Returns a list in which pass number `Place` is replaced by the pass `both`.
 template <std::size_t Place, class... Passes, class Both, std::size_t... K>
 auto with_fused(Tuple<Passes...> const& passes, Both const& both, std::index_sequence<K...>) {
   auto const pick = [&](auto const& pass, auto k) -> auto const& {
@@ -240,7 +240,7 @@ auto fused_onto(Tuple<Done...> const& done, Next const& next, Others const&... o
   return fused_onto(with_next(done, next), others...);
 }
 
-/// fused(), with a Tuple as the result.
+/// Returns the passes of fused() as a Tuple.
 template <AnyTuple Passes>
 auto in_fewer_sweeps(Passes const& passes) {
   return with_values([](auto const&... each) { return fused_onto(Tuple<>(), each...); }, passes);
@@ -248,9 +248,9 @@ auto in_fewer_sweeps(Passes const& passes) {
 
 }  // namespace detail
 
-/// Returns the passes of a list in fewer sweeps, with the same results. A pair pass is fused with an earlier one over
-/// the same body if it does not depend on that pass, and if no pass between them depends on the one that is moved. Sums
-/// that both need are computed once.
+/// Returns the passes of a list fused into fewer sweeps with the same results. A pair pass is fused with an earlier
+/// pair pass over the same body if it does not depend on the earlier pass and if either of the two can be moved past
+/// the passes between them. Sums that both need are computed once.
 template <detail::AnyTuple Passes>
 auto fused(Passes const& passes) {
   return detail::as_std_tuple(detail::in_fewer_sweeps(passes));
@@ -265,7 +265,7 @@ template <class Target, class... Functions>
 inline constexpr bool are_point_passes<Target, Tuple<PointPass<Target, Functions>...>> = true;
 }  // namespace detail
 
-/// Returns a function of a particle that calls the given function and then those of the point passes.
+/// Returns a function of a particle that calls the given function and then the functions of the point passes.
 template <class P, class Function, detail::AnyTuple PointPasses>
 auto with_point_passes(Function const& function, PointPasses const& passes) {
   return detail::with_values([&](auto const&... each) { return in_turn<P>(function, each.function...); }, passes);
@@ -278,7 +278,7 @@ template <class Target, class Where, class Then, class... Overs, class Written>
 inline constexpr bool may_be_followed<Target, PairPass<Target, Where, Then, Overs...>, Written> =
     PairPass<Target, Where, Then, Overs...>::template may_write<Written>;
 
-/// The last pass of a list, or another one if the list is empty.
+/// The last pass of a list, or `IfNone` if the list is empty.
 template <class IfNone, class Passes, std::size_t N = tuple_size<Passes>>
 struct last_of {
   using type = type_at<N - 1, Passes>;
@@ -289,9 +289,9 @@ struct last_of<IfNone, Passes, 0> {
 };
 }  // namespace detail
 
-/// Runs a list of passes in order, then a function of each particle of the target body. The function is fused with the
-/// last pass if that pass runs over the target body and reads from neighbours none of the fields that the function
-/// writes.
+/// Runs a list of passes in order and then a function of each particle of the target body. The function is fused with
+/// the last pass if that is a pair pass over the target body with a function of its sums, and reads from neighbours
+/// none of the fields that the function writes.
 template <class Target, class Sys, class Function, detail::AnyTuple Passes>
 void run_passes_and(Sys& system, Passes const& passes, Function const& function) {
   constexpr std::size_t count = detail::tuple_size<Passes>;

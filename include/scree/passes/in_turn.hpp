@@ -7,7 +7,7 @@
 namespace scree {
 namespace detail {
 
-/// A particle with new values of some fields.
+/// A particle with new values for some fields.
 template <class P, class Written, class I>
 struct Updated {
   Record<P, Written> fresh;
@@ -23,8 +23,8 @@ struct Updated {
 
 }  // namespace detail
 
-/// Two functions of one particle fused into one sweep: the second reads the values that the first has written. The
-/// first may also be a function of the sums of a pair loop.
+/// Two functions of one particle fused into one sweep. The second function reads the values that the first has written;
+/// the first may also be a function of the sums of a pair loop.
 template <class P, class First, class Second>
 struct InTurn {
   First first;
@@ -49,7 +49,7 @@ struct InTurn {
   }
 };
 
-/// Returns one function that calls all of them one after another; a single function is returned unchanged.
+/// Returns one function that calls the given functions one after another; a single function is returned unchanged.
 template <class P, class First>
 First in_turn(First const& first) {
   return first;

@@ -15,16 +15,17 @@
 #include <utility>
 #include <vector>
 
-// Time step limits as data. The physics model names them.
+// Time step limits, which a physics model defines as data.
 namespace scree {
 
-/// A physics model that a solver can advance: limits(resolution) gives a tuple of time step limits, made by limit().
+/// Whether a solver can advance a physics model, which requires a function limits(resolution) that returns a tuple of
+/// time step limits made by limit().
 template <class Physics>
 concept HasLimits = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.limits(Resolution{}))>::value;
 };
 
-/// A limit of the step, made by limit().
+/// Whether L is a limit on the time step, as made by limit().
 template <class L>
 concept StepLimit = requires(L const& limit, Largest const* largest) {
   { limit.name } -> std::convertible_to<std::string_view>;
@@ -39,7 +40,7 @@ template <StepLimit... Limits>
 inline constexpr bool are_limits<Tuple<Limits...>> = true;
 template <StepLimit... Limits>
 inline constexpr bool are_limits<std::tuple<Limits...>> = true;
-/// Whether all limits of a tuple are found from functions that return numbers.
+/// Whether all functions that determine the limits of a tuple return numbers.
 template <class P, class Limits>
 inline constexpr bool measure_numbers = true;
 template <class P, StepLimit... Limits>
@@ -47,7 +48,7 @@ inline constexpr bool measure_numbers<P, Tuple<Limits...>> =
     (return_numbers<P, tuple_of<decltype(std::declval<Limits const&>().measures())>> && ...);
 template <class P, StepLimit... Limits>
 inline constexpr bool measure_numbers<P, std::tuple<Limits...>> = measure_numbers<P, Tuple<Limits...>>;
-/// True if each limit of the model follows from functions that return numbers.
+/// Whether all functions that determine the limits of a physics model return numbers.
 template <class P, class Physics>
 inline constexpr bool limits_measure_numbers = true;
 template <class P, HasLimits Physics>
@@ -55,42 +56,43 @@ inline constexpr bool limits_measure_numbers<P, Physics> =
     measure_numbers<P, decltype(std::declval<Physics const&>().limits(Resolution{}))>;
 }  // namespace detail
 
-/// A limit from constants of the material and the spacing.
+/// A limit on the time step from constants of the material and the spacing.
 struct ConstantLimit {
   std::string_view name;
   double step = 0;  ///< s
 
-  /// No functions of particles: the limit does not depend on the state.
+  /// Returns no functions of a particle, because the limit does not depend on the state.
   static detail::Tuple<> measures() { return {}; }
-  /// The limit as the solver compares it.
+  /// Returns the limit in the form in which the solver compares limits.
   TimeStepLimit from(Largest const*) const { return {name, step, TimeStepLimit::never}; }
-  /// The limit of each of `steps` steps that use the same rate.
+  /// Returns the limit on each of `steps` time steps that use the same rate.
   ConstantLimit over(int steps) const { return {name, step / steps}; }
 };
-/// A limit of the step.
+/// Returns a constant limit on the time step, s.
 inline ConstantLimit limit(std::string_view name, double step) { return {name, step}; }
 
-/// A limit from the state: from the largest value of a function of one particle over the material.
+/// A limit on the time step that depends on the state through the largest value of a function of one particle over the
+/// material.
 template <class Measure, class Step>
 struct StateLimit {
   std::string_view name;
-  Measure measure;  ///< non-negative; `reads`, operator()(i)
-  Step step;        ///< step for that value, s
-  int steps = 1;    ///< number of steps that the limit covers
+  Measure measure;  ///< non-negative function of one particle: `reads`, operator()(i)
+  Step step;        ///< longest time step for the largest value of the measure, s
+  int steps = 1;    ///< number of time steps that the limit covers
 
-  /// The function of one particle whose largest value decides.
+  /// Returns the function of one particle whose largest value determines the limit.
   detail::Tuple<Measure> measures() const { return {measure}; }
-  /// The limit for the largest value of its measure.
+  /// Returns the limit for the largest value of the measure.
   TimeStepLimit from(Largest const* largest) const {
     double const longest = step(largest->value);
-    // A rare evaluation does not make the state change faster.
+    // The time in which the state changes does not depend on the number of steps that the limit covers.
     return {name, longest / steps, longest};
   }
-  /// The limit of each of `more` steps that use the same rate.
+  /// Returns the limit on each of `more` time steps that use the same rate.
   StateLimit over(int more) const { return {name, measure, step, steps * more}; }
 };
-/// A limit from the state: `step` returns the longest step (s) for the largest value of `measure`, a function of one
-/// particle with `reads`.
+/// Returns a limit on the time step that depends on the state. `step` is a function that returns the longest time step
+/// (s) for the largest value of `measure`, a function of one particle with `reads`.
 template <class Measure, class Step>
 StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, Step const& step) {
   static_assert(
@@ -101,8 +103,8 @@ StateLimit<Measure, Step> limit(std::string_view name, Measure const& measure, S
   return {name, measure, step};
 }
 
-/// The limits for the present state. Throws as check_finite() and stop_beyond() do. One sweep over the particles.
-/// `of_body` is the name of the body in messages, if they need it.
+/// Returns the limits for the present state, from one sweep over the particles. Throws the exceptions of check_finite()
+/// and stop_beyond(). `of_body` is the name of the body for messages, or empty.
 template <class... Of, class Evolved, detail::AnyTuple Limits, detail::AnyTuple Bounds = detail::Tuple<>>
 std::vector<TimeStepLimit> limits_of(WholeBody<Of...> const& whole, Evolved evolved, Limits const& limits, long step,
                                      Bounds const& bounds = {}, std::string_view of_body = {}) {

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// The deviation of the concentrations of a particle from a mixture: of one of them from [0, 1], or of their sum from
-/// 1.
+/// The amount by which the concentrations of a particle violate the conditions for a mixture: the largest distance of a
+/// concentration from [0, 1], or the distance of their sum from 1 if that is larger.
 template <int N>
 struct MixtureOutside {
   using reads = Fields<Concentrations<N>>;
@@ -25,8 +25,8 @@ struct MixtureOutside {
   }
 };
 
-/// The bound of models that need the concentrations of N species: those of a particle are shares whose sum is 1, to
-/// 1e-3.
+/// Returns the bound for models that need the concentrations of N species: the concentrations of a particle are between
+/// 0 and 1 and add up to 1, with a tolerance of 1e-3.
 template <int N>
 auto mixture_bound() {
   return bound("distance of the concentrations from a mixture", MixtureOutside<N>{}, 1e-3,

@@ -7,15 +7,15 @@
 
 #include <type_traits>
 
-// Binds passes to one of several evolving bodies, see formulation/physics_of_bodies.hpp.
+// Passes bound to one of several evolving bodies, see formulation/physics_of_bodies.hpp.
 namespace scree {
 
-/// The terms of pairs of a particle of one body and a neighbour in another body.
+/// The terms for pairs of a particle in one body and a neighbour in another body.
 template <BodyTag Other, class... Terms>
 struct InterfaceTerms {
   detail::Tuple<Terms...> terms;
 };
-/// The interface of a body with another one, from a tuple of terms.
+/// Returns the interface of a body with another body, from a tuple of terms.
 template <BodyTag Other, detail::AnyTuple Terms>
 auto interface_with(Terms const& terms) {
   return detail::with_values(
@@ -25,7 +25,7 @@ auto interface_with(Terms const& terms) {
 
 namespace detail {
 
-/// One message for all bodies.
+/// Reports an incomplete interface at compile time, with the same message for all bodies.
 template <bool Complete, bool Whole>
 constexpr void explain_interface_terms() {
   static_assert(Complete,
@@ -37,7 +37,7 @@ constexpr void explain_interface_terms() {
 template <class Named, class Body>
 using bound_to = std::conditional_t<std::is_same_v<Named, Material>, Body, Named>;
 
-/// Whether a pass is over the particles of the role `Material` alone, so that it can be bound to a body.
+/// Whether a pass runs only over the particles of the role `Material`, so it can be bound to a body.
 template <class Pass>
 inline constexpr bool is_over_material = false;
 template <class Function>
@@ -49,8 +49,8 @@ inline constexpr bool is_over_material<OnlyIf<Pass>> = is_over_material<Pass>;
 template <class... Passes>
 inline constexpr bool is_over_material<Tuple<Passes...>> = (is_over_material<Passes> && ...);
 
-/// Binds passes to a body, which replaces `Material` as the target and as a source. Sums over `Material` also include
-/// each body with an interface, by those of its terms that add to the same fields.
+/// The binding of passes to a body, which replaces `Material` as the target and as a source. Sums over `Material` also
+/// include each body with an interface, by means of the interface terms that add to the same fields.
 template <class Body, class... Interfaces>
 class OnBody {
  public:
@@ -118,8 +118,8 @@ class OnBody {
 
 }  // namespace detail
 
-/// Passes over the role `Material`, bound to one of several evolving bodies: this body takes the role, and sums over
-/// its particles continue over the bodies of the interfaces.
+/// Returns passes over the role `Material`, bound to one of several evolving bodies. The body takes the role, and sums
+/// over its particles also include the bodies of the interfaces.
 template <BodyTag Body, detail::AnyTuple Passes, class... Interfaces>
 auto on_body(Passes const& passes, Interfaces const&... interfaces) {
   return detail::OnBody<Body, Interfaces...>(interfaces...).all(passes);

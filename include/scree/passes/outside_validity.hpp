@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// A run has left the range in which its model is valid: later results would be meaningless.
+/// The exception for a run that has left the range in which its model is valid; later results would be meaningless.
 struct OutsideValidity : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

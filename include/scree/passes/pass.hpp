@@ -14,12 +14,12 @@
 #include <type_traits>
 #include <utility>
 
-// A pass is one sweep over the particles of a body. Formulations are lists of passes, as data: adding a pass means
-// adding an entry to a list. The lists determine the fields of each body. A pass names bodies, or roles: `Material` is
-// the body that evolves, `Wall` each body that follows a motion.
+// A pass is one sweep over the particles of a body. A formulation is a list of passes held as data: to add a pass is to
+// add an entry to the list. The lists determine the fields of each body. A pass names bodies or roles: `Material` is
+// the body that evolves, and `Wall` is each body that follows a motion.
 namespace scree {
 
-/// Terms that are summed over the particles of one body, whose values a lens may replace.
+/// Terms to be summed over the particles of one body, and a lens that may replace the values of these particles.
 template <class Body, class Lens, class... Terms>
 struct Over {
   using body = Body;
@@ -29,12 +29,13 @@ struct Over {
   Lens lens;
   detail::Tuple<Terms...> terms;
 };
-/// Names the terms that a pass sums over the neighbours in a body.
+/// Returns the terms that a pass sums over the neighbours in a body.
 template <BodyTag Body, class... Terms>
 Over<Body, AsIs, Terms...> over(Terms... terms) {
   return {AsIs{}, {terms...}};
 }
-/// Names the terms that a pass sums over the neighbours in a body, with the values that a lens gives for them.
+/// Returns the terms that a pass sums over the neighbours in a body, with the values that a lens gives for the
+/// neighbours.
 template <BodyTag Body, class Lens, class... Terms>
 Over<Body, Lens, Terms...> over_through(Lens lens, Terms... terms) {
   return {lens, {terms...}};
@@ -48,7 +49,8 @@ void for_each_named(Sys const&, Visit const& visit) {
 }
 }  // namespace detail
 
-/// For each particle of the target body: sums over neighbours, then calls the function `then` of the sums.
+/// A pass that sums terms over the neighbours of each particle of the target body and then calls `then` with the sums,
+/// or stores the sums.
 template <class Target, class Where, class Then, class... Overs>
 struct PairPass {
   using bodies = Bodies<Target, typename Overs::body...>;
@@ -57,7 +59,7 @@ struct PairPass {
   Then then;
   detail::Tuple<Overs...> overs;
 
-  /// Whether particles of a source may be targets.
+  /// Whether the particles of a source may be targets as well.
   template <class Source>
   static constexpr bool among_targets = detail::covers<Source, Target> || detail::covers<Target, Source>;
 
@@ -83,25 +85,25 @@ struct PairPass {
       (!(among_targets<typename Overs::body> && detail::intersects<stored, typename Overs::reads>)&&...),
       "a pass must not store a field that it reads of neighbours: the result would depend on the order of the loop");
 
-  /// Whether a function of the particle that writes these fields may be fused with this pass: it may if no neighbour
-  /// reads them.
+  /// Whether a function of the particle that writes these fields may be fused with this pass. The pass must have a
+  /// function of the sums as its `then`, and no target may read these fields from neighbours.
   template <class Written>
   static constexpr bool may_write =
       !stores_sums<Then> &&
       (!(among_targets<typename Overs::body> && detail::intersects<Written, typename Overs::reads>)&&...);
-  /// Returns this pass, fused with a function of the particle that is called after `then`.
+  /// Returns this pass fused with a function of the particle, which is called after `then`.
   template <class P, class Function>
   auto followed_by(Function const& function) const {
     auto const both = in_turn<P>(then, function);
     return PairPass<Target, Where, std::remove_const_t<decltype(both)>, Overs...>{label, where, both, overs};
   }
 
-  /// Refreshes the ghosts whose fields the pass reads, and runs it over all particles of the target body.
+  /// Refreshes the fields of ghosts that the pass reads, and runs the pass over all particles of the target body.
   template <class Sys>
   void run(Sys& system) const {
     detail::run_alone(system, *this);
   }
-  /// The pass as a value for a system.
+  /// Returns the pass as a value for a system.
   template <class Sys>
   detail::AnyPass value() const {
     return {.label = label,
@@ -121,11 +123,11 @@ struct PairPass {
                                                                      pass.then};
     detail::for_each_named<Target>(system, [&]<class Body>() { pass.template run_for<Body>(system, options); });
   }
-  // This is a separate function because nvcc 13 cannot expand a parameter pack of the class in a nested lambda.
+  // This function is separate because nvcc 13 cannot expand a parameter pack of the class in a nested lambda.
   template <class Body, class Sys, class Options>
   void run_for(Sys& system, Options const& options) const {
     auto const& targets = system.template body<Body>();
-    if constexpr ((is_one<typename Overs::body, Sys> && ...)) {  // it compiles faster without tuples
+    if constexpr ((is_one<typename Overs::body, Sys> && ...)) {  // compiles faster without tuples
       detail::with_values(
           [&](Overs const&... each) {
             for_each_pair(options, targets,
@@ -139,7 +141,7 @@ struct PairPass {
       detail::with_values([&](auto const&... each) { for_each_pair(options, targets, each...); }, sources);
     }
   }
-  /// Whether a name, of a body or a role, refers to exactly one body of the system.
+  /// Whether the name of a body or of a role refers to exactly one body of the system.
   template <class Named, class Sys>
   static constexpr bool is_one = bodies_named<Named, typename Sys::bodies>::count == 1;
 
@@ -156,7 +158,7 @@ struct PairPass {
   }
 };
 
-/// A function of each particle of a body.
+/// A pass that calls a function for each particle of the target body.
 template <class Target, class Function>
 struct PointPass {
   using bodies = Bodies<Target>;
@@ -173,7 +175,7 @@ struct PointPass {
   void run(Sys& system) const {
     detail::run_alone(system, *this);
   }
-  /// The pass as a value for a system.
+  /// Returns the pass as a value for a system.
   template <class Sys>
   detail::AnyPass value() const {
     return {.label = label,
@@ -194,31 +196,32 @@ struct PointPass {
   }
 };
 
-/// A pass that stores its sums.
+/// Returns a pass that sums terms over neighbours and stores the sums.
 template <BodyTag Target, class... Overs>
 PairPass<Target, Everywhere, StoreSums, Overs...> pair_pass(PassLabel const& label, Overs... overs) {
   return {label, {}, {}, {overs...}};
 }
-/// A pass that hands its sums to a function of the particle.
+/// Returns a pass that sums terms over neighbours and calls a function of each particle with its sums.
 template <BodyTag Target, class Then, class... Overs>
 PairPass<Target, Everywhere, Then, Overs...> pair_pass_then(PassLabel const& label, Then then, Overs... overs) {
   return {label, {}, then, {overs...}};
 }
-/// A pass that sums only for the particles that satisfy a condition, and hands the sums of each particle to a function
-/// of the particle; for all others the sums are zero.
+/// Returns a pass that sums terms over neighbours only for the particles that satisfy a condition, and calls a function
+/// of each particle with its sums. The sums of all other particles are zero.
 template <BodyTag Target, class Where, class Then, class... Overs>
 PairPass<Target, Where, Then, Overs...> pair_pass_where(PassLabel const& label, Where where, Then then,
                                                         Overs... overs) {
   return {label, where, then, {overs...}};
 }
-/// A pass that calls a function for each particle of a body.
+/// Returns a pass that calls a function for each particle of a body.
 template <BodyTag Target, class Function>
 PointPass<Target, Function> point_pass(PassLabel const& label, Function function) {
   return {label, function};
 }
 
 namespace detail {
-// A pass without lists of the fields that it reads and writes may read and write all fields that it names.
+// A pass without separate lists of the fields that it reads and writes may read and write all fields in its list
+// `fields`.
 template <class Body, class Pass>
 struct pass_reads {
   using type = typename Pass::template fields<Body>;
@@ -242,7 +245,7 @@ struct pass_writes<Body, Pass> {
 template <class Pass>
 struct OnlyIf;
 
-/// The bodies and roles that a pass names; if it names none, those of every formulation: `Material` and `Wall`.
+/// The bodies and roles that a pass names; by default the roles `Material` and `Wall`, which every formulation has.
 template <class Pass>
 struct bodies_of_pass {
   using type = Bodies<Material, Wall>;
@@ -262,7 +265,7 @@ using reads_of_pass = typename detail::pass_reads<Body, Pass>::type;
 template <class Body, class Pass>
 using writes_of_pass = typename detail::pass_writes<Body, Pass>::type;
 
-/// A pass that runs only under a condition at run time.
+/// A pass that runs only if a flag is set at run time.
 template <class Pass>
 struct OnlyIf {
   bool active;
@@ -278,7 +281,7 @@ struct OnlyIf {
   void run(Sys& system) const {
     detail::run_alone(system, *this);
   }
-  /// The pass as a value for a system.
+  /// Returns the pass as a value for a system.
   template <class Sys>
   detail::AnyPass value() const {
     detail::AnyPass value = detail::any_pass<Sys>(pass);
@@ -286,7 +289,7 @@ struct OnlyIf {
     return value;
   }
 };
-/// Returns the passes, made to run only if `active` is true.
+/// Returns passes that run only if `active` is true.
 template <detail::AnyTuple Passes>
 auto only_if(bool active, Passes const& passes) {
   return detail::with_values(
@@ -306,10 +309,10 @@ struct pass_fields<Body, Tuple<Passes...>> {
 };
 }  // namespace detail
 
-/// All fields of one body that a list of passes reads or stores.
+/// The fields of one body that the passes of a list read or store.
 template <class Body, class Passes>
 using fields_of_passes = typename detail::pass_fields<Body, detail::tuple_of<Passes>>::type;
-/// The fields of one body that a list of passes stores.
+/// The fields of one body that the passes of a list store.
 template <class Body, class Passes>
 using fields_written_by = typename detail::pass_fields<Body, detail::tuple_of<Passes>>::written;
 

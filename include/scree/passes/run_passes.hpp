@@ -7,10 +7,11 @@
 
 namespace scree {
 
-/// Runs a list of passes in order. Ghosts receive the fields that these changed, and no others.
+/// Runs a list of passes in order. Only fields that the passes have changed are copied to ghosts.
 template <class Sys, detail::AnyTuple Passes>
 void run_passes(Sys& system, Passes const& passes) {
-  if constexpr (detail::tuple_size < Passes >> 0)
+  constexpr bool is_empty = detail::tuple_size<Passes> == 0;
+  if constexpr (!is_empty)
     detail::with_values(
         [&](auto const&... each) {
           detail::AnyPass const values[] = {detail::any_pass<Sys>(each)...};

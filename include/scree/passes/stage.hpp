@@ -7,19 +7,20 @@
 #include "fuse.hpp"
 #include "resolution.hpp"
 
-// The passes of a physics model grouped by the rates they compute, for integrators that update one part of the state
-// before they compute the rates of the next.
+// The passes of a physics model grouped by the rates that they compute, for integrators that update one part of the
+// state before they compute the rates of the next part.
 namespace scree {
 
-/// Passes that compute the rates of the fields in `evolves`, and passes that return these fields to the admissible set
-/// after their update.
+/// Passes that compute the rates of the fields in `evolves`, and projections, which are passes that return these fields
+/// to the admissible set after their update.
 template <class Evolved, class Passes, class Projections>
 struct Stage {
   using evolves = Evolved;
   Passes passes;
   Projections projections;
 };
-/// A stage: passes that compute the rates of `Evolved`, and projections after the fields have advanced.
+/// Returns a stage with passes that compute the rates of `Evolved`, and with projections that run after the update of
+/// these fields.
 template <class Evolved, detail::AnyTuple Passes, detail::AnyTuple Projections = detail::Tuple<>>
 Stage<Evolved, detail::tuple_of<Passes>, detail::tuple_of<Projections>> stage(Passes const& passes,
                                                                               Projections const& projections = {}) {
@@ -45,11 +46,11 @@ concept HasStages = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.stages(Resolution{}))>::value;
 };
 
-/// The type of the stages that the model returns, as a Tuple.
+/// The type of the stages that a physics model returns, as a Tuple.
 template <class Physics>
 using stages_of = tuple_of<decltype(std::declval<Physics const&>().stages(Resolution{}))>;
 
-/// The type of the passes of all stages if the integrator uses stages; otherwise an empty Tuple.
+/// Returns the type of the passes of all stages if the integrator uses stages, otherwise the type of an empty Tuple.
 template <class Integrator, class Physics>
 auto passes_of_stages() {
   if constexpr (Staggered<Integrator> && HasStages<Physics>)
@@ -70,8 +71,8 @@ constexpr bool stages_are_complete() {
 
 }  // namespace detail
 
-/// A physics model with a function passes(resolution) that returns all passes for the rates of one state, instead of
-/// stages.
+/// Whether a physics model has a function passes(resolution), which returns all passes for the rates of one state,
+/// instead of stages.
 template <class Physics>
 concept GivesPasses = requires(Physics const& physics) {
   typename Physics::evolves;
@@ -79,7 +80,7 @@ concept GivesPasses = requires(Physics const& physics) {
 };
 
 namespace detail {
-/// The passes that rate_passes() returns.
+/// Returns the passes of rate_passes() as a Tuple.
 template <class Physics>
 auto rates_of(Physics const& physics, Resolution const& resolution) {
   if constexpr (GivesPasses<Physics>)
@@ -90,8 +91,8 @@ auto rates_of(Physics const& physics, Resolution const& resolution) {
 }
 }  // namespace detail
 
-/// The passes that compute all rates of a state at one time: `passes` of the physics model, or those of its stages in
-/// as few sweeps as possible.
+/// Returns the passes that compute all rates of a state at one time: the `passes` of the physics model, or the passes
+/// of its stages fused into fewer sweeps.
 template <class Physics>
 auto rate_passes(Physics const& physics, Resolution const& resolution) {
   return detail::as_std_tuple(detail::rates_of(physics, resolution));
@@ -102,7 +103,7 @@ template <class Physics>
 concept GivesProjections = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.projections(Resolution{}))>::value;
 };
-/// The passes that return an updated state to the admissible set.
+/// Returns the passes that return an updated state to the admissible set.
 template <class Physics>
 auto projections_of(Physics const& physics, Resolution const& resolution) {
   if constexpr (GivesProjections<Physics>)

@@ -17,11 +17,12 @@
 #include <string>
 #include <vector>
 
-// Sums over all particles of a body, on the device, with the same bits in any order and division of the particles.
+// Sums over all particles of a body, computed on the device and bitwise independent of the order of the particles and
+// of their distribution over ranks.
 namespace scree {
 namespace detail {
 
-/// The largest magnitude among the terms of a function; infinity if one is NaN.
+/// The largest magnitude among the terms of a function; infinity if a term is NaN.
 template <class P, class Function>
 struct LargestTerm {
   struct value_type {
@@ -62,15 +63,15 @@ struct SumOfTerms {
   }
 };
 
-/// Throws std::runtime_error if the largest value is infinite: values that are not finite are counted as infinite.
+/// Throws std::runtime_error if the largest magnitude is not finite, which means that a term is infinite or NaN.
 [[gnu::cold]] inline void check_terms(double largest, char const* what) {
   if (!std::isfinite(largest))
     throw std::runtime_error("scree: " + std::string(what) +
                              " cannot be computed: a value that it reads is not finite");
 }
 
-/// The unit of sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over the particles of a body.
-/// `what` is the name of the sums in messages. Throws std::runtime_error if a term is not finite.
+/// Returns the fixed-point unit for sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over the
+/// particles of a body. `what` is the name of the sums in messages. Throws std::runtime_error if a term is not finite.
 template <class... Of, class Function>
 FixedPoint unit_of_terms(WholeBody<Of...> const& body, Function const& function, char const* what) {
   using P = typename WholeBody<Of...>::policy;
@@ -83,7 +84,7 @@ FixedPoint unit_of_terms(WholeBody<Of...> const& body, Function const& function,
 }
 }  // namespace detail
 
-/// The sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over the particles of a body:
+/// Returns the sums of `function(i)`, a Vec<count, double> of the fields in its `reads`, over the particles of a body:
 ///
 ///     struct Momentum {
 ///       static constexpr int count = 2;
@@ -93,8 +94,8 @@ FixedPoint unit_of_terms(WholeBody<Of...> const& body, Function const& function,
 ///     };
 ///     auto const momentum = sums_over(solver.whole(), Momentum{}, "the momentum");
 ///
-/// It runs on the device. `what` is the name of the sums in messages. Throws std::runtime_error if a term is not
-/// finite.
+/// The function runs on the device. `what` is the name of the sums in messages. Throws std::runtime_error if a term is
+/// not finite.
 template <class... Of, class Function>
 Vec<Function::count, double> sums_over(WholeBody<Of...> const& body, Function const& function, char const* what) {
   using P = typename WholeBody<Of...>::policy;

@@ -13,10 +13,10 @@
 #include <limits>
 #include <type_traits>
 
-// Largest values and non-finite values over all particles, in one sweep and, on a GPU, with one wait.
+// Largest values and non-finite values over all particles, from one sweep and, on a GPU, with one synchronization.
 namespace scree {
 
-/// |F|, for survey().
+/// The magnitude |F| of a field, for survey().
 template <Field F>
 struct Magnitude {
   using reads = Fields<F>;
@@ -32,9 +32,8 @@ struct Magnitude {
 /// The result of a survey for one function.
 struct Largest {
   double value = 0;
-  int particle = 0;  ///< particle with the largest value; the first if there are several
-  double beyond =
-      0;  ///< number of particles beyond the function's `most`, if it has one; in float exact up to 16 million
+  int particle = 0;   ///< the particle with the largest value; of several, the first
+  double beyond = 0;  ///< number of particles beyond the function's `most`, if any; in float exact up to 16 million
 };
 
 namespace detail {
@@ -61,7 +60,7 @@ inline constexpr bool return_numbers = false;
 template <class P, class... Functions>
 inline constexpr bool return_numbers<P, Tuple<Functions...>> = (ReturnsNumber<Functions, P> && ...);
 
-/// A function of one particle and the values it reads.
+/// A function of one particle with the columns that it reads.
 template <class P, class Function>
 struct Measure : Function {
   using real = typename P::real;
@@ -97,11 +96,11 @@ struct Measures<P, First, Others...> {
   }
 };
 
-/// The values that a survey finds. The type depends on the precision and the number of functions alone, so that surveys
-/// share the code of its containers.
+/// The values that a survey finds. The type depends only on the precision and the number of functions, so surveys share
+/// the code that handles it.
 template <class Real, int Count>
 struct Surveyed {
-  LargestSoFar<Real> largest[Count + 1];  // one more than needed: an array must not be empty
+  LargestSoFar<Real> largest[Count + 1];  // one more than needed, because an array must not be empty
   int first_not_finite;
 };
 template <class P, class Checked, class... Functions>
@@ -130,16 +129,16 @@ struct SurveyLoop<P, Fields<Fs...>, Functions...> {
 
 }  // namespace detail
 
-/// The results of survey(): the largest value of each function, and whether all values are finite.
+/// The results of survey(): the largest value of each function, and the first particle with a non-finite value.
 template <int Count>
 struct Survey {
-  std::array<Largest, Count> largest = {};     ///< of each function
-  int first_not_finite = detail::no_particle;  ///< lowest index of a particle with a value that is not finite
+  std::array<Largest, Count> largest = {};     ///< the largest value of each function
+  int first_not_finite = detail::no_particle;  ///< first particle with a non-finite value, or no_particle
 };
 
-/// Largest values over all owned particles of non-negative functions of one particle (`reads`, operator()(i)): zero
-/// without particles, infinity if one is negative or NaN; and the first particle with a value of the listed fields that
-/// is not finite.
+/// Returns the largest value over all owned particles of each non-negative function of one particle (`reads`,
+/// operator()(i)), and the first particle with a non-finite value in the listed fields. The largest value is zero
+/// without particles, and infinity if a value of the function is negative or NaN.
 template <class Body, class List, class... Functions>
 Survey<sizeof...(Functions)> survey(Body const& body, List checked, Functions const&... functions) {
   using P = typename Body::policy;

@@ -17,46 +17,48 @@
 
 namespace scree {
 
-/// One reason why a step must not be longer.
+/// An upper limit on the time step.
 struct TimeStepLimit {
   std::string_view name;
   double step = never;  ///< s
-  /// Time in which the state that it follows from changes, s; `never` if it follows from constants of the material and
-  /// the spacing alone.
+  /// Time in which the state that determines the limit changes, s; `never` if the limit follows only from constants of
+  /// the material and the spacing.
   double change = step;
 
-  /// The `change` of limits that do not depend on the state.
+  /// The value of `change` for limits that do not depend on the state.
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
 
-/// Returns a note on the limit that is the smallest of all and below a tenth of the smallest one of the physics model,
-/// whose limits are the first `of_physics` ones; "" if there is no such limit.
+/// Returns a note on the smallest limit if it does not belong to the physics model and is below a tenth of the smallest
+/// limit of the physics model; "" otherwise. The first `of_physics` limits are those of the physics model.
 [[gnu::cold]] std::string note_on(std::vector<TimeStepLimit> const& limits, std::size_t of_physics);
 
-/// Chooses the step, and records which limit determined it. Finding a limit that depends on the state takes a sweep
-/// over all particles and, on a GPU, a synchronization. While a constant limit is much smaller than the others, the
-/// limits are therefore evaluated only after a quarter of the shortest time in which the state changes, and at least
-/// every 256 steps.
+/// The choice of the time step and a record of the limits that determined it. A limit that depends on the state costs a
+/// sweep over all particles and, on a GPU, a synchronization. While a constant limit is much smaller than the others,
+/// the limits are therefore evaluated only after a quarter of the shortest time in which the state changes, and at
+/// least every 256 steps.
 class TimeStepControl {
  public:
   static constexpr long rarest_look = 256;  ///< steps from one evaluation to the next, at most
-  /// Whether the limits must be evaluated before this step, counted from zero.
+  /// Whether the limits must be evaluated before the step of this number, counted from zero.
   bool must_look(long step) const { return step >= next_look_ || resumed_; }
-  /// The limits as they are before this step. Throws if one of them is not a positive number.
+  /// Takes the limits that hold before the step of this number. Throws std::runtime_error if a limit is not a positive
+  /// number.
   void look(std::vector<TimeStepLimit> const& limits, long step);
-  /// The smallest of the limits, s, shortened so that steps of equal length end at `remaining` (s). Throws
-  /// std::invalid_argument where neither is finite.
+  /// Returns the smallest limit (s), shortened so that steps of equal length cover the time `remaining` (s). Throws
+  /// std::invalid_argument if neither is finite.
   double choose(double remaining);
-  /// The limit that decided the last step.
+  /// Returns the name of the limit that determined the last step.
   std::string_view deciding() const { return deciding_; }
-  /// The number of steps that each limit has set.
+  /// Returns the number of steps that each limit has determined.
   std::map<std::string, long> const& counts() const { return counts_; }
-  /// Forces an evaluation of the limits before the step of this number, because the user changed the state.
+  /// Forces an evaluation of the limits before the step of this number, for instance after the user has changed the
+  /// state.
   void look_before(long step) { next_look_ = std::min(next_look_, step); }
-  /// The step before which the limits are evaluated next.
+  /// Returns the number of the step before which the limits are evaluated next.
   long next_look() const { return next_look_; }
-  /// Takes over the counts of steps by limit and the next evaluation from a snapshot. The limits are evaluated before
-  /// the next step too.
+  /// Restores the number of steps per limit and the step of the next evaluation from a snapshot. The limits are also
+  /// evaluated before the next step.
   void restore(std::map<std::string, long> counts, long next_look) {
     counts_ = std::move(counts);
     next_look_ = next_look;
@@ -71,14 +73,14 @@ class TimeStepControl {
   std::map<std::string, long> counts_;
 };
 
-/// Detects runs that would not end because their steps are too short: at the rate of the last 1000 steps, more than
-/// 10^15 further steps would be needed.
+/// A check for runs that would not end because their steps are too short: at the rate of the last 1000 steps, such a
+/// run would need more than 10^15 further steps.
 class RunEnds {
  public:
-  /// Watches a run up to the time `end`, s.
+  /// Monitors a run up to the time `end`, s.
   explicit RunEnds(double end) : end_(end) {}
-  /// Counts a step that ended at a time (s). Throws std::invalid_argument, with `limit`, which decided the step, if the
-  /// run would not end.
+  /// Counts a step that ended at a time (s). Throws std::invalid_argument if the run would not end; the message names
+  /// `limit`, which determined the step.
   void check_after_step(double time, std::string_view limit);
 
  private:

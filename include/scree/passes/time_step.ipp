@@ -33,7 +33,8 @@ SCREE_BODY void TimeStepControl::look(std::vector<TimeStepLimit> const& limits, 
                                (limit.change == TimeStepLimit::never
                                     ? "a setting that it depends on is out of range"
                                     : "a field or a setting that it depends on is out of range"));
-    // A run that goes on from a checkpoint looks once out of turn, and must not see more than it would have.
+    // A run that resumes from a checkpoint evaluates the limits once out of turn, and must then ignore the limits that
+    // it would not have evaluated without the restart.
     bool const counts = in_turn || limit.change == TimeStepLimit::never;
     if (counts && limit.step < binding_.step) binding_ = limit;
     change = std::min(change, limit.change);
@@ -48,7 +49,7 @@ SCREE_BODY double TimeStepControl::choose(double remaining) {
   TimeStepLimit const binding = binding_.step < remaining ? binding_ : TimeStepLimit{"output", remaining};
   ++counts_[std::string(binding.name)];
   deciding_ = binding.name;
-  // Equal steps up to the next output instead of many long ones and a very short one.
+  // Steps up to the next output have equal length, which avoids a very short last step.
   double const steps = std::ceil(remaining / binding.step * (1 - 1e-12));
   double const step = std::isfinite(steps) ? remaining / steps : binding.step;
   if (std::isinf(step)) throw std::invalid_argument("scree: nothing limits the step: it needs a finite length or end");

@@ -6,8 +6,8 @@
 
 namespace scree {
 
-/// Fuses two functions of the sums of one pair loop, so that they can be declared separately and computed in one sweep.
-/// The second may overwrite what the first writes.
+/// Two functions of the sums of one pair loop, declared separately and computed in one sweep. The second function may
+/// overwrite values that the first writes.
 template <class First, class Second>
 struct Together {
   First first;
@@ -21,7 +21,7 @@ struct Together {
   }
 };
 
-/// Two functions of the sums of one pair loop as one.
+/// Returns two functions of the sums of one pair loop as one function.
 template <class First, class Second>
 Together<First, Second> together(First const& first, Second const& second) {
   return {first, second};

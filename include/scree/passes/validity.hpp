@@ -13,21 +13,21 @@
 #include <tuple>
 #include <vector>
 
-// The range in which a model is valid, as data. The physics model may define it: `validity(resolution)`, a tuple of
-// bounds.
+// The range in which a model is valid. A physics model may define this range by a function `validity(resolution)`,
+// which returns a tuple of bounds.
 namespace scree {
 
-/// A bound on a function of one particle, for survey(). A run stops if more than a fraction of the particles is beyond
-/// it.
+/// An upper bound on a function of one particle, for survey(). A run stops if more than a given fraction of the
+/// particles is beyond the bound.
 template <class Measure>
 struct Bound : Measure {
   double most;         ///< largest valid value
-  char const* name;    ///< of the function, with its unit: "distance (m)"
-  char const* advice;  ///< possible causes, and how to allow more
-  double share;        ///< fraction of the particles that may be beyond it, -
+  char const* name;    ///< name of the function with its unit, for instance "distance (m)"
+  char const* advice;  ///< possible causes, and how to relax the bound
+  double share;        ///< fraction of the particles that may be beyond the bound, -
 };
-/// A bound on a measure of one particle: its name, the measure, the largest valid value, advice, and the share of the
-/// particles that may be beyond it.
+/// Returns an upper bound on a measure of one particle, from its name, the measure, the largest valid value, advice,
+/// and the fraction of the particles that may be beyond the bound.
 template <class Measure>
 Bound<Measure> bound(char const* name, Measure const& measure, double most, char const* advice, double share = 0) {
   return {measure, most, name, advice, share};
@@ -40,7 +40,7 @@ concept GivesValidity = requires(Physics const& physics) {
 };
 }  // namespace detail
 
-/// The bounds of the physics model, or none.
+/// Returns the bounds of a physics model, or an empty Tuple if it defines none.
 template <class Physics>
 auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resolution const& resolution) {
   if constexpr (detail::GivesValidity<Physics>)
@@ -49,9 +49,9 @@ auto validity_of([[maybe_unused]] Physics const& physics, [[maybe_unused]] Resol
     return detail::Tuple<>();
 }
 
-/// Returns the warnings of a model about the present state of a body (WholeBody), one for each of its models.
-/// An empty string means that there is no warning. A model has a function warnings_of_state(body), which returns
-/// several of them, or warning_of_state(body), which returns one, or both.
+/// Returns the warnings of a physics model about the present state of a body (WholeBody), one for each of its models;
+/// an empty string means no warning. A model may have a function warnings_of_state(body), which returns several
+/// warnings, a function warning_of_state(body), which returns one, or both.
 template <class Physics, class Whole>
 std::vector<std::string> warnings_of_state(Physics const& physics, Whole const& body) {
   std::vector<std::string> all;
@@ -72,8 +72,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// Throws OutsideValidity if more of all particles than allowed are beyond a bound. If there are several ranks, the one
-/// that has the worst particle throws. The message names the body unless `of_body` is empty.
+/// Throws OutsideValidity if more than the allowed fraction of all particles is beyond a bound. With several ranks, the
+/// rank with the largest value throws. The message names the body unless `of_body` is empty.
 template <class Body, class Measure>
 [[gnu::cold]] void stop_beyond(Body const& body, Bound<Measure> const& bound, Largest const& found, long step,
                                long particles, std::string_view of_body = {}) {

@@ -22,16 +22,17 @@ struct CoarseSlot {
 
 }  // namespace detail
 
-/// Fields at the points of a grid, see coarse_grained(): `found[velocity][k]` at the k-th of `found.grid.points()`.
+/// Fields at the points of a grid, see coarse_grained(). `found[velocity][k]` is the velocity at the k-th point of
+/// `found.grid.points()`.
 template <class P, class List>
 struct CoarseGrained;
 template <class P, class... Fs>
 struct CoarseGrained<P, Fields<Fs...>> : detail::CoarseSlot<P, Fs>... {
   CoarseGrid<P::dim> grid;
   double time = 0;             ///< s
-  std::vector<double> weight;  ///< $\sum_j V_j W_j$: about 1 inside of the material, 1/2 at a plane surface, 0 far away
+  std::vector<double> weight;  ///< $\sum_j V_j W_j$: about 1 inside the material, 1/2 at a plane surface, 0 far away
 
-  /// The values of a field; NaN where the weight is 0.
+  /// Returns the values of a field, which are NaN at points of weight 0.
   template <Field F>
   std::vector<detail::CoarseValue<P, F>> const& operator[](F) const {
     static_assert((std::is_same_v<F, Fs> || ...), "this field was not coarse-grained");
@@ -45,7 +46,7 @@ struct CoarseGrained<P, Fields<Fs...>> : detail::CoarseSlot<P, Fs>... {
 
 namespace detail {
 
-/// The value at a point from the sums of w X y^m, component by component, and the moments of w.
+/// Returns the value at a point from the sums of w X y^m, component by component, and the moments of w.
 template <int Dim, class Value>
 Value value_at_point(double const* sums, double const* moments, bool linear) {
   Value value = zero_of<Value>();
@@ -57,8 +58,8 @@ Value value_at_point(double const* sums, double const* moments, bool linear) {
   for (int a = 0; a < N; ++a) M(0, a) = M(a, 0) = moments[a];
   for (int a = 1; a < N; ++a)
     for (int b = a; b < N; ++b) M(a, b) = M(b, a) = moments[k++];
-  // A row or a plane of particles does not tell how the field varies across it: the variance of their offsets would be
-  // below (0.05 supports)^2.
+  // A single row or plane of particles does not determine how the field varies across it; the variance of the offsets
+  // in that direction is then below (0.05 supports)^2.
   double const least = 3e-3;
   for (int c = 0; c < components; ++c) {
     double const* const of_component = sums + c * (linear ? N : 1);
@@ -76,7 +77,8 @@ Value value_at_point(double const* sums, double const* moments, bool linear) {
   return value;
 }
 
-/// The values of a field on the device: those of the particles, or, of a derived field, those computed on the host.
+/// Returns the values of a field on the device: the column of the particles or, for a derived field, values computed on
+/// the host.
 template <Field F, class S>
 auto device_values(S const& solver) {
   auto const& body = solver.material();
@@ -118,17 +120,18 @@ auto coarse_values(S const& solver, CoarseGrid<S::policy::dim> const& grid, Coar
 
 }  // namespace detail
 
-/// Fields of the material at the points of a grid, averaged with the kernel: $X = \sum_j X_j V_j W_j/\sum_j V_j W_j$
-/// over the particles within the support, with the width of the grid (Shepard 1968). That is exact for constants at
-/// walls and surfaces too, and of first order there. With `linear`, the default, X is the value at the point of the
-/// linear function that fits the X_j best with the weights $V_j W_j$: exact for linear fields everywhere, in disorder
-/// too. It may leave the range of the X_j, and extrapolates at points beyond the surface, where `weight` is below 1/2;
-/// where particles form a single row it is the mean.
+/// Returns fields of the material at the points of a grid, averaged with the kernel:
+/// $X = \sum_j X_j V_j W_j/\sum_j V_j W_j$ over the particles within the support, with the `width` of the grid as the
+/// smoothing length (Shepard 1968). This mean is exact for constant fields, even at walls and surfaces, and of first
+/// order there. With `linear`, the default, X is the value at the point of the linear function that best fits the X_j
+/// with the weights $V_j W_j$. This fit is exact for linear fields everywhere, even for disordered particles. The fit
+/// may exceed the range of the X_j, and it extrapolates at points beyond the surface, where `weight` is below 1/2. If
+/// the particles form a single row, X is the mean.
 ///
-/// Walls do not contribute; periods do. A field may be a derived one, such as `pressure`; results of passes are those
-/// of the last step, as for mean_at(). On the device, with work proportional to particles times points within a
-/// support, and with the same bits on any number of ranks (WholeBody). Throws std::invalid_argument as
-/// CoarseGrid::check() does, and std::runtime_error if a value is not finite.
+/// Walls do not contribute; periodic images do. A field may be a derived field, such as `pressure`; results of passes
+/// belong to the last step, as for mean_at(). Computed on the device, with work proportional to the number of particles
+/// times the number of points within a support, and bitwise identical on any number of ranks (WholeBody). Throws
+/// std::invalid_argument as CoarseGrid::check() does, and std::runtime_error if a value is not finite.
 template <class S, class... Fs>
 auto coarse_grained(S const& solver, CoarseGrid<S::policy::dim> const& grid, Fields<Fs...>) {
   using Particles = std::remove_cvref_t<decltype(solver.material())>;
@@ -145,14 +148,15 @@ auto coarse_grained(S const& solver, CoarseGrid<S::policy::dim> const& grid, Fie
   return found;
 }
 
-/// The mean across an axis, weighted by `weight`: a grid with one cell along this axis. Averaged across the width of a
-/// channel in space, a plane is left; averaged across two axes, a profile. Its `weight` is the mean of the weights, the
-/// share of the width that is filled. Throws std::invalid_argument if there is no such axis.
+/// Returns the mean across an axis, weighted by `weight`, on a grid with one cell along this axis. The mean across the
+/// width of a three-dimensional channel is a plane; the mean across two axes is a profile. The `weight` of the result
+/// is the mean of the weights, that is, the filled share of the width. Throws std::invalid_argument if there is no such
+/// axis.
 template <class P, class... Fs>
 CoarseGrained<P, Fields<Fs...>> averaged_across(int axis, CoarseGrained<P, Fields<Fs...>> const& found) {
   check_setting(axis >= 0 && axis < P::dim, "the axis of a mean", axis, "an axis of space, counted from 0");
   auto const numbers = found.grid.cells();
-  std::size_t below = 1;  // points from one to the next along the axis
+  std::size_t below = 1;  // stride of the points along the axis
   for (int a = 0; a < axis; ++a) below *= std::size_t(numbers[std::size_t(a)]);
   auto const along = std::size_t(numbers[std::size_t(axis)]);
   CoarseGrained<P, Fields<Fs...>> mean;

@@ -21,24 +21,24 @@ namespace scree {
 template <int Dim>
 struct CoarseGrid {
   Box<Dim> box;                                      ///< m
-  Vec<Dim, double> cell = Vec<Dim, double>::Zero();  ///< edges of a cell, m; the last cells may reach out of the box
-  double width = 0;                                  ///< smoothing length of the kernel, m; 0: that of the solver
-  bool linear = true;  ///< exact for linear fields; false: for constant fields only; see coarse_grained()
+  Vec<Dim, double> cell = Vec<Dim, double>::Zero();  ///< edges of a cell, m; the last cells may extend beyond the box
+  double width = 0;                                  ///< smoothing length of the kernel, m; 0: as in the solver
+  bool linear = true;  ///< true: exact for linear fields; false: only for constant fields; see coarse_grained()
 
-  /// The number of cells along each axis.
+  /// Returns the number of cells along each axis.
   std::array<int, std::size_t(Dim)> cells() const {
     std::array<int, std::size_t(Dim)> numbers{};
     for (int axis = 0; axis < Dim; ++axis)
       numbers[std::size_t(axis)] = int(std::ceil((box.high[axis] - box.low[axis]) / cell[axis] - 1e-9));
     return numbers;
   }
-  /// The number of points.
+  /// Returns the number of points.
   std::size_t size() const {
     std::size_t product = 1;
     for (int const each : cells()) product *= std::size_t(each);
     return product;
   }
-  /// The points (m), with the first coordinate fastest.
+  /// Returns the points (m); the first coordinate varies fastest.
   std::vector<Vec<Dim, double>> points() const {
     auto const numbers = cells();
     std::vector<Vec<Dim, double>> all;
@@ -55,8 +55,8 @@ struct CoarseGrid {
     }
     return all;
   }
-  /// Throws std::invalid_argument for a box without volume, cells and widths below the spacing (m) of the particles,
-  /// and more points than an int counts.
+  /// Throws std::invalid_argument for a box without volume, for cells or a width below the particle spacing (m), and
+  /// for 1e8 points or more.
   void check(double spacing) const {
     std::string const least = detail::formatted("the spacing of the particles, %g, or more", spacing);
     double number = 1;

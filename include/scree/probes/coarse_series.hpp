@@ -18,14 +18,14 @@
 namespace scree {
 namespace detail {
 
-/// Brings results of passes up to date as point_data_of() does.
+/// Updates the results of passes, as point_data_of() does.
 template <class S>
 void before_output(S& solver) {
   if (solver.steps() == 0) solver.update_rates();
   solver.update_diagnostics();
 }
 
-/// The endings of the names of components in space: "", " x", " xx", ....
+/// Returns the suffixes of the names of components in space: "", " x", " xx", ....
 template <Field F>
 std::vector<std::string> names_of_components() {
   std::string const axes = "xyz";
@@ -48,7 +48,8 @@ std::vector<std::string> names_of_components() {
 
 }  // namespace detail
 
-/// Coarse-grained fields as points for a writer, with an array `weight`; the components are as in point_data_of().
+/// Returns coarse-grained fields as points for a writer, with an array `weight`. Components are in VTK's order (see
+/// in_space()).
 template <class P, class... Fs>
 PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
   PointData data{.time = found.time};
@@ -69,7 +70,7 @@ PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
   return data;
 }
 
-/// Coarse-grained fields over time in a VTKHDF file for ParaView, as BodySeries writes particles:
+/// Coarse-grained fields over time in a VTKHDF file for ParaView, like the particles of a BodySeries:
 ///
 ///     CoarseSeries output("coarse.vtkhdf", grid, Fields<Velocity, Concentration>{});
 ///     solver.run(end, {every<S>(interval, [&](S& now) { output.append(now); })});
@@ -78,25 +79,25 @@ PointData point_data_of(CoarseGrained<P, Fields<Fs...>> const& found) {
 template <int Dim, class List>
 class CoarseSeries {
  public:
-  /// Creates a file for the fields of a list on a grid. Throws as VtkHdfSeries does if it cannot be written.
+  /// Creates a file for the fields of a list on a grid. Throws as VtkHdfSeries does if the file cannot be written.
   CoarseSeries(std::filesystem::path path, CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {})
       : grid_(grid), series_(std::move(path), std::move(options)) {}
-  /// Continues a series after a restart: returns a series that begins with the content of the file `from`, which may be
-  /// the same file, up to a time (s); see VtkHdfSeries::continued(). Throws as that does.
+  /// Returns a series that continues after a restart: it begins with the steps of the file `from` (which may be the
+  /// same file) up to `time` (s). Throws as VtkHdfSeries::continued() does.
   static CoarseSeries continued(std::filesystem::path const& from, double time, std::filesystem::path path,
                                 CoarseGrid<Dim> const& grid, List, VtkHdfOptions options = {}) {
     return {from, time, std::move(path), grid, std::move(options)};
   }
 
-  /// Adds the present state, after it has brought results of passes up to date.
+  /// Updates the results of passes and appends the current state.
   template <class S>
   void append(S& solver) {
     detail::before_output(solver);
     series_.append(point_data_of(coarse_grained(solver, grid_, List{})));
   }
-  /// The number of states in the file.
+  /// Returns the number of states in the file.
   std::size_t steps() const { return series_.steps(); }
-  /// The file that is written.
+  /// Returns the path of the file.
   std::filesystem::path const& path() const { return series_.path(); }
 
  private:
@@ -108,8 +109,8 @@ class CoarseSeries {
   VtkHdfSeries series_;
 };
 
-/// Profiles along an axis over time, averaged across the others, in a table: time, the coordinate along the axis,
-/// `weight` and the components of the fields, one row for each cell along the axis.
+/// A table of profiles along an axis over time, averaged across the other axes. Each cell along the axis has one row:
+/// time, the coordinate along the axis, `weight` and the components of the fields.
 ///
 ///     ProfileSeries profiles("profiles.csv", grid, 1, Fields<Velocity, Concentration>{});   // over the height in 2D
 ///     solver.run(end, {every<S>(interval, [&](S& now) { profiles.append(now); })});
@@ -122,14 +123,14 @@ class ProfileSeries<Dim, Fields<Fs...>> {
  public:
   ProfileSeries(std::filesystem::path file, CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>)
       : grid_(grid), axis_(checked(axis)), table_(std::move(file), columns(axis)) {}
-  /// Continues a table after a restart: returns a table that begins with the content of the file `from`, which may be
-  /// the same file, up to a time (s); see CsvSeries::continued(). Throws as that does.
+  /// Returns a table that continues after a restart: it begins with the rows of the file `from` (which may be the same
+  /// file) up to `time` (s). Throws as CsvSeries::continued() does.
   static ProfileSeries continued(std::filesystem::path const& from, double time, std::filesystem::path file,
                                  CoarseGrid<Dim> const& grid, int axis, Fields<Fs...>) {
     return {grid, axis, CsvSeries::continued(from, time, std::move(file), columns(checked(axis)))};
   }
 
-  /// Adds the present profile, after it has brought results of passes up to date.
+  /// Updates the results of passes and appends the current profile.
   template <class S>
   void append(S& solver) {
     detail::before_output(solver);
@@ -157,7 +158,7 @@ class ProfileSeries<Dim, Fields<Fs...>> {
     (add(Fs{}), ...);
     return all;
   }
-  /// The file that is written.
+  /// Returns the path of the file.
   std::filesystem::path const& path() const { return table_.path(); }
 
  private:

@@ -18,14 +18,14 @@
 #include <type_traits>
 #include <vector>
 
-// Sums over particles at the points of a grid: each particle adds to the points within the support around it. The sums
-// are integers, so that their order does not matter.
+// Sums over particles at the points of a grid: each particle contributes to the points within its support. The sums are
+// integers, so the order of summation does not matter.
 namespace scree::detail {
 
 /// The points of a grid on the device.
 template <int Dim>
 struct GridPoints {
-  double low[Dim], cell[Dim], period[Dim];  // m; the first point, and 0 where there is no period
+  double low[Dim], cell[Dim], period[Dim];  // m; `low`: first point; `period`: 0 if there is none
   int number[Dim];
 
   GridPoints(CoarseGrid<Dim> const& grid, std::vector<Period> const& periods) {
@@ -39,8 +39,8 @@ struct GridPoints {
     for (Period const& each : periods) period[each.axis] = each.high - each.low;
   }
 
-  /// Calls f(point, offset) for each point within `reach` (m) of x along each axis, with x, or an image of it, less the
-  /// point.
+  /// Calls f(point, offset) for each point within `reach` (m) of x, or of a periodic image of x, along each axis.
+  /// `offset` is the vector (m) from the point to x or its image.
   template <class F>
   SCREE_FN void for_each_near(Vec<Dim, double> const& x, double reach, F const& f) const {
     Vec<Dim, double> image = x;
@@ -69,7 +69,7 @@ struct GridPoints {
   }
 };
 
-/// One, for each particle.
+/// The value 1 for each particle.
 struct One {
   static constexpr int components = 1;
   SCREE_FN double operator()(int, int) const { return 1; }
@@ -81,7 +81,7 @@ constexpr int components_of() {
   else
     return int(Value::SizeAtCompileTime);
 }
-/// The components of a value.
+/// The components of the value of a particle.
 template <class Element, class Value>
 struct ValuesOf {
   static constexpr int components = components_of<Value>();
@@ -94,7 +94,7 @@ struct ValuesOf {
   }
 };
 
-/// The largest magnitude of a component; infinity if one is NaN.
+/// A reducer for the largest magnitude of a component; infinity if a component is NaN.
 template <class Read>
 struct LargestComponent {
   struct value_type {
@@ -111,14 +111,14 @@ struct LargestComponent {
   }
 };
 
-/// The number of monomials of y, in the order 1, y_0, y_1, ..., y_0 y_0, y_0 y_1, ....
+/// Returns the number of monomials of y up to a degree, in the order 1, y_0, y_1, ..., y_0 y_0, y_0 y_1, ....
 template <int Dim>
 constexpr int monomials_up_to(int degree) {
   return degree == 0 ? 1 : degree == 1 ? 1 + Dim : 1 + Dim + symmetric_size<Dim>;
 }
 
-/// Adds w X y^m of each particle to the points around it, w = V W and y its offset in supports, for the monomials up to
-/// a degree and all components of X.
+/// A kernel that adds w X y^m of each particle to the points around it, for all components of X and the monomials y^m
+/// up to a degree. Here w is V W, and y is the offset divided by the support.
 template <class P, class Read, int Degree>
 struct AddToPoints {
   static constexpr int dim = P::dim, monomials = monomials_up_to<dim>(Degree), count = Read::components * monomials;
@@ -156,7 +156,7 @@ struct AddToPoints {
   }
 };
 
-/// The sums at the points of a grid over the particles of all ranks: for each point, component by component, the
+/// The sums at the points of a grid over the particles of all ranks, in the order of points, then components, then
 /// monomials.
 template <class P>
 class CoarseSums {

@@ -13,10 +13,11 @@
 
 namespace scree {
 
-/// The vertical depth (m) of particles at the points of a raster: volume over area. The values of the raster do not
-/// matter. Each particle gives its volume (m^3) to the four points around it, with bilinear weights, so that the depths
-/// times the area of a cell are together the volume of the particles above the raster, which reaches half a cell beyond
-/// its outermost points. Choose its spacing larger than that of the particles. Host.
+/// Returns the vertical depth (m) of particles at the points of a raster: volume divided by area. The values of the
+/// raster are not used. Each particle distributes its volume (m^3) to the four points around it, with bilinear weights.
+/// The depths times the area of a cell therefore add up to the volume of the particles above the raster, which extends
+/// half a cell beyond its outermost points. Choose a raster spacing larger than the particle spacing. Computed on the
+/// host.
 template <class Positions, class Volumes>
 Raster depth_map(Raster const& like, Positions const& positions, Volumes const& volumes) {
   Raster map = like;
@@ -37,7 +38,7 @@ Raster depth_map(Raster const& like, Positions const& positions, Volumes const& 
   }
   return map;
 }
-/// The depth of the material of a solver on the grid of a raster.
+/// Returns the depth (m) of the material of a solver at the points of a raster.
 template <class S>
 Raster depth_map(Raster const& like, S const& solver) {
   using namespace fields;

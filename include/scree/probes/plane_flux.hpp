@@ -11,27 +11,27 @@
 
 namespace scree {
 
-/// Volumes that have passed a plane, m^dim (in 2D per metre of depth).
+/// Volumes that have passed a plane, m^dim (in 2D, per metre of depth).
 struct PassedVolume {
   double forward = 0;   ///< along the normal
-  double backward = 0;  ///< against it
-  /// The difference `forward - backward`.
+  double backward = 0;  ///< against the normal
+  /// Returns the difference `forward - backward`.
   double net() const { return forward - backward; }
 };
 
-/// The volume of material that passes a plane, counted by particles:
+/// A counter of the volume of material that passes a plane, particle by particle:
 ///
 ///     PlaneFlux<2> outlet(solver, {.point = {0, 0.1}, .normal = {0, -1}});
 ///     ... every 0.1 s: csv.row({now.time(), density * outlet.passed(now).net() / 0.1});
 ///
-/// The count is exact, without integration in time: it compares the side of each particle, which it knows by its
-/// identity, with that at the last call. A particle that passes and returns between two calls does not count. The plane
-/// is unbounded.
+/// The count is exact, without integration in time: the side of each particle, known by its identity, is compared with
+/// its side at the last call. A particle that passes and returns between two calls is not counted. The plane is
+/// unbounded.
 template <int Dim>
 class PlaneFlux {
  public:
-  /// Notes the side of each particle now. Throws std::invalid_argument for a normal of length zero or NaN, and for a
-  /// plane across a period, because particles would change sides through the period.
+  /// Records the current side of each particle. Throws std::invalid_argument for a normal of length zero or NaN, and
+  /// for a plane that crosses a periodic axis, because particles would change sides through the period.
   template <class S>
   PlaneFlux(S const& solver, HalfSpace<Dim> const& behind) : behind_(behind) {
     if (!(norm(behind.normal) > 0)) throw std::invalid_argument("scree: the normal of a plane must not be zero");
@@ -44,8 +44,8 @@ class PlaneFlux {
     for (std::size_t i = 0; i < names.size(); ++i) is_behind_[names[i]] = behind_.contains(places[i]);
   }
 
-  /// The volumes that have passed since the last call. Throws std::invalid_argument if particles came or went since the
-  /// material was first counted.
+  /// Returns the volumes that have passed since the last call. Throws std::invalid_argument if particles have been
+  /// added or removed since the material was first counted.
   template <class S>
   PassedVolume passed(S const& solver) {
     auto const names = solver.whole().values(fields::identity);

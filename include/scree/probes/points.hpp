@@ -9,18 +9,19 @@
 
 namespace scree {
 
-/// A field at a point.
+/// The mean of a field at a point.
 template <class Value>
 struct PointMean {
   Value value;        ///< NaN if no particle is within a support
-  double weight = 0;  ///< $\sum_j V_j W$: about 1 inside of the material, 1/2 at a plane surface, 0 far from it
+  double weight = 0;  ///< $\sum_j V_j W$: about 1 inside the material, 1/2 at a plane surface, 0 far away
 };
 
-/// The field of the material at points (m), $X = \sum_j X_j V_j W_j/\sum_j V_j W_j$ over the particles within a support
-/// of each (Shepard 1968): exact for a constant field, of first order next to a surface, where `weight` is below 1.
-/// Walls do not contribute; periods do. The field may be a derived one, such as `pressure`. Rates and other results of
-/// passes belong to the last step, and for observers at the start to the initial state; before a run they are
-/// zero until solver.update_rates() is called. Computed on the host, with work proportional to particles times points.
+/// Returns a field of the material at points (m), $X = \sum_j X_j V_j W_j/\sum_j V_j W_j$ over the particles within a
+/// support of each point (Shepard 1968). This mean is exact for a constant field and first-order accurate near a
+/// surface, where `weight` is below 1. Walls do not contribute; periodic images do. The field may be a derived field,
+/// such as `pressure`. Rates and other results of passes belong to the last step or, for observers at the start, to the
+/// initial state; before a run, they are zero until solver.update_rates() is called. Computed on the host, with work
+/// proportional to the number of particles times the number of points.
 template <class S, Field F>
 auto mean_at(S const& solver, F, std::vector<Vec<S::policy::dim, double>> const& points) {
   using P = typename S::policy;
@@ -48,7 +49,8 @@ auto mean_at(S const& solver, F, std::vector<Vec<S::policy::dim, double>> const&
   return means;
 }
 
-/// Points on a straight line, evenly spaced, both ends included. Throws std::invalid_argument for fewer than two.
+/// Returns evenly spaced points on a straight line, including both ends. Throws std::invalid_argument for fewer than
+/// two points.
 template <int Dim>
 std::vector<Vec<Dim, double>> points_along(Vec<Dim, double> const& from, Vec<Dim, double> const& to, int number) {
   if (number < 2) throw std::invalid_argument("scree: a line needs at least two points, not " + std::to_string(number));

@@ -7,16 +7,16 @@
 
 namespace scree {
 
-/// A field over a region.
+/// The mean of a field over a region.
 template <class Value>
 struct RegionMean {
   Value value;         ///< mean weighted by volume; NaN if there is no particle
-  double volume = 0;   ///< of the particles in the region, m^dim
-  long particles = 0;  ///< their number in the region
+  double volume = 0;   ///< volume of the particles in the region, m^dim
+  long particles = 0;  ///< number of particles in the region
 };
 
-/// The mean of a field of the material over the particles whose centres are in a shape (m), each with its volume. The
-/// field may be a derived one. Results of passes are as for mean_at(). Computed on the host.
+/// Returns the mean of a field of the material over the particles whose centres are in a shape (m), weighted by volume.
+/// The field may be a derived field. Results of passes belong to the same state as for mean_at(). Computed on the host.
 template <class S, Field F, Shape Region>
 auto mean_in(S const& solver, F, Region const& region) {
   constexpr bool of_one_space = Region::dim == S::policy::dim;

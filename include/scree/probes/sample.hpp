@@ -9,10 +9,10 @@
 #include <type_traits>
 #include <vector>
 
-// Shared by the probes, which read the particles on the host.
+// Functions shared by the probes, which read the particles on the host.
 namespace scree::detail {
 
-/// A value of a field in double precision.
+/// Returns a value of a field in double precision.
 template <class Value>
 auto in_double(Value const& value) {
   if constexpr (std::is_arithmetic_v<Value>)
@@ -23,7 +23,7 @@ auto in_double(Value const& value) {
 template <class Value>
 using Doubled = decltype(in_double(std::declval<Value const&>()));
 
-/// The values of a field of the material on all ranks, which may be a derived one, in double precision.
+/// Returns the values of a field of the material on all ranks, in double precision. The field may be a derived field.
 template <Field F, class S>
 auto sampled(S const& solver) {
   using P = typename S::policy;
@@ -53,7 +53,7 @@ Value nan_of() {
     return Value::Constant(nan);
 }
 
-/// The shortest way from y to x, m.
+/// Returns the offset (m) from the nearest periodic image of y to x.
 template <class X>
 X nearest_offset(X const& x, X const& y, std::vector<Period> const& periods) {
   X offset = x - y;

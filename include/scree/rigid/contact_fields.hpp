@@ -6,31 +6,33 @@
 #include "../fields/standard.hpp"
 #include "turning.hpp"
 
-// Fields of the particles of rigid bodies and of walls that contact needs.
+// Fields for contact, carried by the particles of rigid bodies and walls.
 namespace scree {
 
-/// The rigid body that a surface particle belongs to; negative: a wall, or the inside of a body.
+/// The number of the rigid body that a surface particle belongs to; negative for particles of walls and for particles
+/// inside a body.
 struct ContactOwner : Integer<"contact owner", "1"> {};
-/// Outward normal of the surface times its flatness: 1 on a plane, less at edges, 0 where there is no normal.
+/// Outward normal of the surface times its flatness, which is 1 on a plane, less at edges, and 0 for particles without
+/// a normal.
 struct Facing : Vector<"facing", "1"> {};
-/// Facing at time zero: outward normal of the surface times its flatness.
+/// The field Facing at time zero: outward normal of the surface times its flatness.
 struct RestFacing : Vector<"rest facing", "1"> {};
 
-/// Overlap with other bodies, m.
+/// Overlap of a surface particle with other bodies and walls, m.
 struct ContactOverlap : Scalar<"contact overlap", "m"> {};
-/// Above zero where another surface is closer than half a spacing.
+/// Nearness to another surface: above zero if that surface is closer than half a spacing.
 struct ContactNearness : Scalar<"contact nearness", "1"> {};
-/// Tangential velocity relative to the bodies that it touches.
+/// Tangential velocity of a surface particle relative to the bodies that the particle touches.
 struct ContactSlip : Vector<"contact slip", "m/s"> {};
-/// Tangential displacement that friction has kept elastic: the only state of a contact.
+/// Elastic tangential displacement of the friction spring: the only state of a contact.
 struct ContactStretch : Vector<"contact stretch", "m"> {};
-/// ContactStretch, limited so that friction can hold it in the present state.
+/// ContactStretch, limited so that the force of the spring does not exceed the friction limit in the present state.
 struct HeldStretch : Vector<"held stretch", "m"> {};
-/// Friction over the normal force.
+/// Friction force divided by the normal force.
 struct Traction : Vector<"traction", "1"> {};
-/// Force of contacts, in 2D on a slice one metre deep.
+/// Contact force on a particle; in 2D on a slice one metre deep.
 struct ContactForce : Vector<"contact force", "N"> {};
-/// Moment of contacts about the particle.
+/// Moment of the contact forces about the particle.
 struct ContactMoment : Labelled<"contact moment", "N m"> {
   template <int Dim, class Real>
   using value = Vec<turns_in<Dim>, Real>;
@@ -51,12 +53,12 @@ inline constexpr ContactMoment contact_moment{};
 }  // namespace fields
 
 namespace detail {
-/// Fields for contact that walls and rigid bodies carry.
+/// Contact fields of walls and rigid bodies.
 using FacingFields = Fields<Velocity, VelocityGradient, ContactOwner, Facing, RestFacing, Traction>;
-/// Fields for contact that rigid bodies carry.
+/// Contact fields of rigid bodies.
 using ContactFields = Merge<FacingFields, Fields<ContactOverlap, ContactNearness, ContactSlip, ContactStretch,
                                                  Previous<ContactStretch>, HeldStretch, ContactForce, ContactMoment>>;
-/// The fields of a surface particle of a rigid body that evolve, together with RigidPlaces.
+/// The evolved fields of a surface particle of a rigid body; they evolve together with RigidPlaces.
 using StretchEvolves = Fields<Evolves<ContactStretch, ContactSlip>>;
 }  // namespace detail
 

@@ -6,24 +6,26 @@
 
 namespace scree {
 
-/// Contact among rigid bodies and between rigid bodies and walls, by a penalty. Surfaces are half a spacing outside of
-/// the outermost particles; where two of them overlap by d, a pressure `modulus` d/spacing acts along their common
-/// normal. It is smaller by the square of the restitution while they separate, so that bodies leave with `restitution`
-/// times the speed of approach, whatever their masses and the number of touching particles (Walton & Braun 1986, J.
-/// Rheol. 30, 949-980, without their history). Friction follows Coulomb's law with a tangential spring that sticks
-/// (Cundall & Strack 1979, Geotechnique 29, 47-65); each surface particle stores its displacement, `contact_stretch`.
+/// Contact among rigid bodies and between rigid bodies and walls, by a penalty method. Surfaces are half a spacing
+/// outside the outermost particles. If two surfaces overlap by d, a pressure `modulus` d/spacing acts along their
+/// common normal. During separation the pressure is multiplied by the square of the restitution, so that bodies
+/// separate at `restitution` times the speed of approach, whatever their masses and the number of touching particles
+/// (Walton & Braun 1986, J. Rheol. 30, 949-980, without their history). Friction follows Coulomb's law, with a
+/// tangential spring during sticking (Cundall & Strack 1979, Geotechnique 29, 47-65); each surface particle stores the
+/// displacement of this spring, `contact_stretch`.
 struct RigidContact {
-  /// False: bodies pass through each other and through walls. A run still stops at `largest_overlap`.
+  /// Whether contact forces act. If false, bodies pass through each other and through walls, but a run still stops at
+  /// `largest_overlap`.
   bool acts = true;
-  /// Stiffness of the contact, Pa. With 0 it is $\rho c^2$ of the material, if its law has a constant stiffness; for
-  /// other physics models the contact then does not act.
+  /// Stiffness of the contact, Pa. If it is 0, $\rho c^2$ of the material is used if its law has a constant stiffness;
+  /// for other physics models no contact forces act.
   double modulus = 0;
-  double restitution = 0.5;  ///< of speeds, -
-  double friction = 0.5;     ///< coefficient, -
-  /// Speed below which contact damps like a dashpot, so that bodies come to rest, m/s; 0: 2 g/omega + 1e-4 omega
-  /// spacing with the largest frequency omega of a contact.
+  double restitution = 0.5;  ///< speed of separation over speed of approach, -
+  double friction = 0.5;     ///< friction coefficient, -
+  /// Speed, m/s, below which contact damps like a dashpot, so that bodies come to rest. If it is 0, 2 g/omega + 1e-4
+  /// omega spacing is used, with omega the largest angular frequency of a contact.
   double damped_below = 0;
-  /// Overlap at which a run stops, in spacings, -; infinite: never.
+  /// Overlap at which a run stops, in spacings, dimensionless; if infinite, a run never stops because of overlap.
   double largest_overlap = 0.5;
 
   static constexpr auto parameters() {

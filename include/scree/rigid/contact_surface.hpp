@@ -10,8 +10,8 @@
 
 #include <vector>
 
-// The surfaces of rigid bodies and walls, as their particles show them: found once from the positions at time zero, and
-// turned with the motion.
+// The surfaces of rigid bodies and walls: their normals are computed once from the particle positions at time zero and
+// then rotated with the motion.
 namespace scree::detail {
 
 struct Emptiness : Vector<"emptiness", "1/m"> {};
@@ -19,7 +19,7 @@ struct Fullness : Scalar<"fullness", "1"> {};
 struct AlikeNormals : Vector<"alike normals", "1"> {};
 struct AlikeWeight : Scalar<"alike weight", "1"> {};
 
-/// sum V W and -sum V grad W over a body's own particles.
+/// Pair term for the sums sum V W and -sum V grad W over the particles of the same body.
 struct OwnSums {
   using reads = Fields<Group>;
   using reads_j = Fields<Volume>;
@@ -33,7 +33,7 @@ struct OwnSums {
     if (ij.r > 0) sum[Emptiness{}] += -j[volume] * ij.gradW();
   }
 };
-/// The unit normal; zero inside and where a body is thinner than two particles.
+/// Computes the unit normal; it is zero inside a body and where the body is thinner than two particles.
 struct NormalOfSums {
   double least;  ///< 1/m
   using reads = Fields<>;
@@ -47,7 +47,8 @@ struct NormalOfSums {
     out[Fullness{}] = total[Fullness{}];
   }
 };
-/// The mean of the normals of one side of a body: shorter where they differ.
+/// Pair term for the mean of the normals on one side of a body. The length of this mean is less than 1 if the normals
+/// differ.
 struct AlikeSums {
   using reads = Fields<Group, Facing>;
   using reads_j = Fields<Volume>;
@@ -74,7 +75,7 @@ struct FlatnessOfSums {
   }
 };
 
-/// A surface at time zero.
+/// The surface of a body at time zero.
 template <class X>
 struct SurfaceAtRest {
   std::vector<X> facing;
@@ -82,7 +83,8 @@ struct SurfaceAtRest {
   std::vector<bool> outermost;
 };
 
-/// Ghosts of particles that are all here, within a radius (m). A provider of other ghosts has a function for them.
+/// Returns a provider of ghosts within a radius (m) for particles that are all on this rank. Providers of ghosts from
+/// other ranks have a function images_within(radius) for this purpose.
 template <class Ghosts>
 auto images_at_rest(Ghosts const& ghosts_of_system, double radius) {
   if constexpr (requires { ghosts_of_system.images_within(radius); })
@@ -91,8 +93,8 @@ auto images_at_rest(Ghosts const& ghosts_of_system, double radius) {
     return Ghosts(ghosts_of_system.settings(), radius, 0);
 }
 
-/// The surface of a body of particles at rest positions, from the sums over each group's own particles within two
-/// spacings: more of them would tilt the normals of a side near its edges.
+/// Returns the surface of particles at their rest positions, from sums over the particles of the same group within two
+/// spacings. A larger radius would tilt the normals of a side near its edges.
 template <class P, class Ghosts, class X>
 [[gnu::cold]] SurfaceAtRest<X> surface_at_rest(typename P::space const& space, Ghosts const& ghosts_of_system,
                                                double spacing, std::vector<X> const& at_rest,
@@ -126,7 +128,8 @@ template <class P, class Ghosts, class X>
   return result;
 }
 
-/// Turns normals with the motion, also with one that shears: by the cofactors of its gradient.
+/// Rotates normals with the motion, by the cofactors of the deformation gradient, so that shearing motions are covered,
+/// too.
 template <class Motion>
 struct TurnFacing {
   Motion motion;

@@ -6,17 +6,18 @@
 #include "../pairs/term.hpp"
 #include "contact_fields.hpp"
 
-// Contact as sums over pairs of surface particles. Both particles of a pair compute the same numbers, so their forces
-// are exactly equal and opposite.
+// Contact as sums over pairs of surface particles. Both particles of a pair compute the same values, so that their
+// forces are exactly equal and opposite.
 namespace scree::detail {
 
-/// Sums over the neighbours of f n, of f and of $f u_{ij}$.
+/// The normal force of contacts: sums over the neighbours of f n, of f (ContactPressing) and of $f u_{ij}$
+/// (ContactDragging).
 struct ContactNormalForce : Vector<"contact normal force", "N"> {};
 struct ContactPressing : Scalar<"contact pressing", "N"> {};
 struct ContactDragging : Vector<"contact dragging", "W"> {};
 
-/// The normal force of a pair: $k w d (1 + e^2 - (1 - e^2) \tanh(v/v_0))/2$ with the stiffness k, the overlap d, the
-/// speed of separation v and the share w of the pair in the face of a particle.
+/// The normal force of a pair, $k w d (1 + e^2 - (1 - e^2) \tanh(v/v_0))/2$, with the stiffness k, the overlap d, the
+/// restitution e, the speed of separation v and the share w of the pair in the face of a particle.
 struct ContactLaw {
   double spacing = 0;          ///< m
   double stiffness = 0;        ///< N/m
@@ -25,7 +26,7 @@ struct ContactLaw {
 
   template <class X>
   struct Touch {
-    X normal, velocity;  // normal towards i; velocity of i relative to j halfway between them, m/s
+    X normal, velocity;  // normal towards i; relative velocity of i and j at their midpoint, m/s
     typename X::Scalar overlap = 0, nearness = 0, force = 0;  // m, -, N
   };
   using reads = Fields<ContactOwner, Facing, Velocity, VelocityGradient>;
@@ -40,9 +41,9 @@ struct ContactLaw {
     Real const dr = Real(spacing);
     if (ij.r > Real(reach) * dr || a == b || a < of_wall || b < of_wall || !(ij.r > 0)) return touch;
     Real const fi = norm(i[facing]), fj = norm(j[facing]);
-    // Both look the same way: the back of a thin wall, or sides next to each other.
+    // Both surfaces face the same way: the back of a thin wall, or adjacent sides.
     if (dot(i[facing], j[facing]) > Real(alike) * fi * fj) return touch;
-    // The flatter surface gives the normal; edges and corners touch each other like balls.
+    // The flatter surface determines the normal; edges and corners touch each other like spheres.
     X const toward = math::power<by_flatness>(fj) * j[facing] - math::power<by_flatness>(fi) * i[facing];
     Real const length = norm(toward), flat = length > 0 ? flatness(Kokkos::max(fi, fj)) : Real(0);
     X n = ((1 - flat) / ij.r) * ij.x;
@@ -63,25 +64,25 @@ struct ContactLaw {
     return touch;
   }
 
-  /// The weight rises from 0 at edges to 1.
+  /// Returns the weight of flat contact, which rises from 0 at edges to 1 on flat surfaces.
   template <class Real>
   SCREE_FN static Real flatness(Real f) {
     return Kokkos::clamp((f - Real(flat_above)) / Real(rise), Real(0), Real(1));
   }
   static constexpr int of_wall = -1, inside = -2;  ///< owners
-  /// The gap in spacings below which two surfaces are near each other.
+  /// The gap between two particles, in spacings, below which their surfaces are near each other.
   static constexpr double near_below = 1.5;
-  /// The distance of two particles in spacings beyond which their pair adds nothing: they are apart along the normal by
-  /// `near_below` and across it by one spacing at most, and the gap is not smaller than the distance along the normal.
-  /// It is a little larger than that, for rounding.
+  /// The distance of two particles, in spacings, beyond which their pair contributes nothing. In a contributing pair
+  /// the particles are at most `near_below` apart along the normal and at most one spacing across it, and the gap is
+  /// not smaller than the distance along the normal. The value has a small margin for rounding.
   static constexpr double reach = 1.81;
-  /// Cosine of the angle between normals above which two surfaces look the same way: 84 degrees.
+  /// Cosine of the angle between normals (84 degrees) above which two surfaces face the same way.
   static constexpr double alike = 0.1;
-  /// On a lattice |facing| is 1 on faces, 0.965 in the row next to an edge, 0.92 on edges and 0.90 at corners: the row
-  /// is flat, the edge is not, and the range of the weight lies between them.
+  /// The range of |facing| over which the weight rises from 0 to 1. On a lattice |facing| is 1 on faces, 0.965 in the
+  /// row next to an edge, 0.92 on edges and 0.90 at corners: the row counts as flat and the edge does not.
   static constexpr double flat_above = 0.94, rise = 0.02;
-  /// The power of |facing| by which two surfaces share the normal: a row next to an edge has a tenth of the weight of a
-  /// face (0.965^63), an edge 0.005 of it.
+  /// The power of |facing| by which the normals of two surfaces are weighted: a row next to an edge has a tenth of the
+  /// weight of a face (0.965^63), an edge 0.005 of that weight.
   static constexpr int by_flatness = 63;
   static constexpr double pi_third = 1.0471975511965977;
 };
@@ -102,7 +103,7 @@ struct ContactSums {
   }
 };
 
-/// Friction of a surface particle: a spring and a dashpot in series with a slider.
+/// Friction of a surface particle: a spring parallel to a dashpot, both in series with a slider.
 struct StickOrSlip {
   double friction, stiffness;   ///< -, N/m
   Span<double const> dashpots;  ///< N s/m, of each body
@@ -150,7 +151,8 @@ SCREE_FN Vec<turns_in<X::RowsAtCompileTime>, typename X::Scalar> moment_about_pa
   }
 }
 
-/// The force of each pair acts in the middle between its particles, so that angular momentum is kept, too.
+/// Pair term for the contact force and moment of a pair. The force acts at the midpoint between the particles, so that
+/// angular momentum is conserved, too.
 struct ContactForces {
   ContactLaw law;
   using reads = Merge<ContactLaw::reads, Fields<Traction>>;
@@ -177,7 +179,7 @@ struct ContactForces {
   }
 };
 
-/// Conditions on targets.
+/// Conditions on target particles.
 struct OnSurface {
   using reads = Fields<ContactOwner>;
   template <class I>
@@ -193,7 +195,7 @@ struct InContact {
   }
 };
 
-/// A surface particle whose stretch is limited by friction.
+/// A surface particle with its stretch limited by friction.
 template <class I>
 struct HeldContact {
   I const& i;
@@ -205,7 +207,8 @@ struct HeldContact {
       return i[field];
   }
 };
-/// The update of stretches by a function of an integrator for StretchEvolves: they follow the slip.
+/// The update of contact stretches by a function of an integrator for StretchEvolves; the rate of the stretch is the
+/// slip.
 template <class Function>
 struct UpdateStretch {
   using reads = Merge<Without<reads_of<Function>, Fields<ContactStretch>>, Fields<HeldStretch>>;

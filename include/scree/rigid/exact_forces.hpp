@@ -9,7 +9,7 @@
 #include <vector>
 
 // Force and moment on rigid bodies as exact sums, which depend neither on the order of the particles in memory nor on
-// how a case is divided.
+// the domain decomposition.
 namespace scree::detail {
 
 template <class P>
@@ -22,7 +22,7 @@ struct WriteLoads {
   }
 };
 
-/// Gives each body the sums that the host has computed.
+/// Stores the sums computed on the host in the states of the bodies.
 template <class P>
 struct StoreLoads {
   Span<RigidLoad<P::dim> const> loads;
@@ -30,7 +30,8 @@ struct StoreLoads {
   SCREE_FN void operator()(int body) const { store(body, loads(body)); }
 };
 
-/// Has the same effect as RigidSums. The particles of a body may be anywhere; the host adds those that are here.
+/// Computes the same loads as RigidSums, with exact sums. The particles of a body may be in any order and on any rank;
+/// the host of each rank sums over the particles of the rank.
 template <class P>
 class ExactRigidSums {
   using Load = RigidLoad<P::dim>;
@@ -68,7 +69,7 @@ class ExactRigidSums {
     return sums;
   }
 
-  Array<P, double> numbers_;  // of the loads of particles
+  Array<P, double> numbers_;  // load components of the particles
   Array<P, Load> loads_;      // of bodies
 };
 

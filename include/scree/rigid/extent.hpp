@@ -14,14 +14,14 @@
 #include <string>
 #include <vector>
 
-// The extent of the particles of rigid bodies, and its consequences for their settings.
+// The extent of the particles of rigid bodies, and checks of settings and positions against it.
 namespace scree::detail {
 
-/// The particles of a rigid body at time zero.
+/// The extent of the particles of a rigid body at time zero.
 template <int Dim>
 struct ExtentOfBody {
   using X = Vec<Dim, double>;
-  X low = X::Constant(std::numeric_limits<double>::infinity()), high = -low;  ///< the box around them, m
+  X low = X::Constant(std::numeric_limits<double>::infinity()), high = -low;  ///< bounding box, m
   double radius = 0;                                                          ///< about the centre of the body, m
   int particles = 0;
 
@@ -37,9 +37,9 @@ template <int Dim>
   return Dim == 2 ? formatted("(%.6g, %.6g)", x[0], x[1]) : formatted("(%.6g, %.6g, %.6g)", x[0], x[1], x[Dim - 1]);
 }
 
-/// Throws std::invalid_argument if the centre of mass of a body that is free to move is outside of the box around its
-/// particles, or if it is also free to turn and has more inertia than its mass at the distance of the farthest of them;
-/// both with a spacing (m) to spare.
+/// Throws std::invalid_argument if the centre of mass of a body that is free to move is outside the box around its
+/// particles, or if the body is also free to rotate and has more inertia than its mass would have at the distance of
+/// the farthest particle. Both the box and the distance are enlarged by a spacing (m).
 template <int Dim>
 [[gnu::cold]] void check_extent(Rigid<Dim> const& body, ExtentOfBody<Dim> const& extent, double spacing, int number) {
   auto const is_free = [](auto const& given) {
@@ -67,8 +67,8 @@ template <int Dim>
                   most, mass, largest));
 }
 
-/// Throws OutsideValidity if a rigid body is farther than a support (m) outside of a box, below or to a side, which the
-/// positions of all bodies at the start widen.
+/// Throws OutsideValidity if a rigid body is more than a support (m) outside a box, below it or to a side. The box is
+/// first enlarged to contain the initial positions of all bodies.
 template <int Dim, class X>
 [[gnu::cold]] void check_inside(std::vector<Vec<Dim, double>> const& centres,
                                 std::vector<ExtentOfBody<Dim>> const& extents, X const& box_low, X const& box_high,

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-// Force and moment on rigid bodies: sums over their particles in a fixed order, so that runs repeat bit for bit on
-// every backend.
+// Force and moment on rigid bodies: sums over their particles in a fixed order, so that runs are reproducible bit for
+// bit on every backend.
 namespace scree::detail {
 
 using SummedOfParticle = Fields<Position, WallForce, Group, ContactForce, ContactMoment>;
@@ -26,7 +26,7 @@ struct RigidLoad {
     moment += other.moment, contact_moment += other.contact_moment;
     return *this;
   }
-  static constexpr int count = 2 * (Dim + turns_in<Dim>);  ///< of numbers
+  static constexpr int count = 2 * (Dim + turns_in<Dim>);  ///< number of components
   SCREE_FN void write(double* to) const {
     for (int a = 0; a < Dim; ++a) *to++ = force[a], *to++ = contact_force[a];
     for (int a = 0; a < turns_in<Dim>; ++a) *to++ = moment[a], *to++ = contact_moment[a];
@@ -39,7 +39,7 @@ struct RigidLoad {
   }
 };
 
-/// The load of a particle on its body.
+/// Computes the force and moment that a particle exerts on its body.
 template <class P>
 struct LoadOfParticle {
   static constexpr int dim = P::dim;
@@ -55,7 +55,7 @@ struct LoadOfParticle {
     return {F, C, moment_of(arm, F), Turn<dim>(moment_of(arm, C) + M)};
   }
 };
-/// Gives each body its load.
+/// Stores the load of each body in its state.
 template <class P>
 struct StoreLoad {
   Columns<P, SummedOfBody> states;
@@ -75,7 +75,7 @@ struct LoadOfBody {
   SCREE_FN value_type operator()(int particle) const { return of_particle(particle); }
 };
 
-/// The sums, of bodies whose particles are next to each other.
+/// Sums the loads of rigid bodies; the particles of each body must be contiguous.
 template <class P>
 class RigidSums {
  public:
@@ -98,7 +98,7 @@ class RigidSums {
   }
 
  private:
-  Array<P, int> bounds_;  // of the particles of the bodies
+  Array<P, int> bounds_;  // particle ranges of the bodies
 };
 
 }  // namespace scree::detail

@@ -8,8 +8,8 @@
 
 namespace scree::detail {
 
-/// The longest step (s) in which no rigid body turns by more than an angle (rad) and none of their particles moves
-/// farther than `way` (m). It is NaN where a state is NaN.
+/// Reducer for the longest time step (s) in which no rigid body rotates by more than `angle` (rad) and none of its
+/// particles moves farther than `way` (m). The result is NaN if a state is NaN.
 template <class P>
 struct LongestRigidStep {
   static constexpr int dim = P::dim;

@@ -11,16 +11,17 @@
 
 namespace scree {
 
-/// Mass, centre of mass and inertia of a rigid body; in 2D of a slice one metre deep. measured_mass.hpp computes them
-/// for shapes and meshes.
+/// Mass, centre of mass and inertia of a rigid body; in 2D of a slice one metre deep. The functions in
+/// measured_mass.hpp compute them for shapes and meshes.
 template <int Dim>
 struct MassProperties {
   double mass = 0;                                     ///< kg
   Vec<Dim, double> centre = Vec<Dim, double>::Zero();  ///< centre of mass at time zero, m
   Inertia<Dim> inertia = Inertia<Dim>::Zero();         ///< about the centre, in the axes of space at time zero, kg m^2
 
-  /// Throws std::invalid_argument if no body has these: its mass and principal moments must be positive, and none of
-  /// the latter may exceed the sum of the other two.
+  /// Throws std::invalid_argument if no body can have these properties: mass and principal moments must be finite and
+  /// positive, the centre finite, and the inertia symmetric, and no principal moment may exceed the sum of the other
+  /// two.
   void check() const {
     check_setting(mass > 0 && std::isfinite(mass), "mass of a rigid body (kg)", mass, "above 0");
     check_setting(centre.allFinite(), "centre of a rigid body (m)", centre.sum(), "finite");

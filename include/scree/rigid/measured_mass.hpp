@@ -12,12 +12,12 @@
 #include <cmath>
 #include <stdexcept>
 
-// Mass properties of bodies of uniform density, from a shape or from triangles.
+// Mass properties of bodies of uniform density, computed from a shape or from triangles.
 namespace scree {
 
 namespace detail {
 
-/// Sums of mass, first moment and second moment about a point.
+/// Sums of the mass and of its first and second moments about a point.
 template <int Dim>
 struct MassSums {
   double mass = 0;
@@ -41,10 +41,11 @@ inline void check_density_of_body(double rho) {
 
 }  // namespace detail
 
-/// Mass properties of a body of uniform density (kg/m^3) that fills a shape, as sums over cubes of half a spacing (m);
-/// a cube at the boundary counts with the part 1/2 - d/e of its volume, see VolumeBelow. Exact for blocks along the
-/// axes whose edges are multiples of the cubes', of second order for smooth boundaries. Throws std::invalid_argument if
-/// a number is not positive or the shape has no volume or no finite bounds.
+/// Returns the mass properties of a body of uniform density (kg/m^3) that fills a shape, from sums over cubes with an
+/// edge of half a spacing (m). A cube at the boundary contributes the fraction 1/2 - d/e of its volume, see
+/// VolumeBelow. The result is exact for axis-aligned blocks whose edges are multiples of the edge of the cubes, and
+/// second-order accurate for smooth boundaries. Throws std::invalid_argument if density or spacing is not positive, or
+/// if the shape has no volume or no finite bounds.
 template <Shape S>
 MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacing) {
   static constexpr int dim = S::dim;
@@ -76,9 +77,10 @@ MassProperties<S::dim> mass_properties(S const& shape, double rho, double spacin
   return sums.about(middle);
 }
 
-/// Mass properties of a body of uniform density (kg/m^3) bounded by triangles, exact: sums over the tetrahedra between
-/// them and a point (Tonon 2004, J. Math. Stat. 1, 8-11). Throws std::invalid_argument for a mesh with holes; it can be
-/// measured as a shape.
+/// Returns the exact mass properties of a body of uniform density (kg/m^3) bounded by triangles, from sums over the
+/// tetrahedra between the triangles and a point (Tonon 2004, J. Math. Stat. 1, 8-11). Throws std::invalid_argument if
+/// the density is not positive, or if the mesh has holes or triangles that point inwards; such a mesh can be measured
+/// as a shape.
 inline MassProperties<3> mass_properties(Mesh const& mesh, double rho) {
   detail::check_density_of_body(rho);
   auto const& report = mesh.report();

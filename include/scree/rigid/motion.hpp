@@ -7,11 +7,11 @@
 
 namespace scree::detail {
 
-/// The motion of the particles of one rigid body at the present time. Rest positions are those at time zero.
+/// The motion of the particles of one rigid body at the present time. Rest positions are the positions at time zero.
 template <int Dim>
 struct RigidMotion {
   Vec<Dim, double> rest_centre, centre, u, a;
-  Mat<Dim, double> R, W, A;  ///< attitude; w x and its rate as matrices
+  Mat<Dim, double> R, W, A;  ///< attitude; w x and its rate, as matrices
 
   template <class X>
   SCREE_FN X displaced(X const& rest, double, double) const {
@@ -42,7 +42,7 @@ struct RigidMotion {
   }
 };
 
-/// The motions of all rigid bodies, read from their states on the device.
+/// The motions of all rigid bodies, computed on the device from their states.
 template <class P>
 struct RigidMotions {
   using Reads = Merge<Fields<RigidCentre, RigidVelocity, RigidAttitude, AngularVelocity>, RigidSeen>;

@@ -13,20 +13,21 @@
 
 namespace scree {
 
-/// One rigid body: its properties, its motion at time zero, and the components of its motion that are given instead of
-/// following from forces.
+/// A rigid body: its properties, its motion at time zero, and the components of its motion that are prescribed instead
+/// of computed from forces.
 template <int Dim>
 struct Rigid {
   MassProperties<Dim> properties = {};                   ///< mass, centre and moments of inertia
-  Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< of the centre at time zero, m/s
-  Turn<Dim> angular_velocity = Turn<Dim>::Zero();        ///< at time zero, rad/s; in 2D one number
-  /// Components of the velocity of the centre that are given, m/s; 0 holds the body along an axis.
+  Vec<Dim, double> velocity = Vec<Dim, double>::Zero();  ///< velocity of the centre at time zero, m/s
+  Turn<Dim> angular_velocity = Turn<Dim>::Zero();        ///< angular velocity at time zero, rad/s; in 2D one number
+  /// Prescribed components of the velocity of the centre, m/s; empty components are free, and 0 holds the body along an
+  /// axis.
   std::array<std::optional<double>, Dim> given_velocity = {};
-  /// Components of the angular velocity that are given, rad/s, in the axes of space. A wheel that is driven has one and
-  /// may sink and travel.
+  /// Prescribed components of the angular velocity, rad/s, in the axes of space; empty components are free. A driven
+  /// wheel has one prescribed component and is free to sink and travel.
   std::array<std::optional<double>, std::size_t(turns_in<Dim>)> given_turning = {};
 
-  /// Throws std::invalid_argument if a number is out of range.
+  /// Throws std::invalid_argument if a value is out of range.
   void check() const {
     properties.check();
     check_setting(velocity.allFinite(), "velocity of a rigid body (m/s)", velocity.sum(), "finite");
@@ -42,11 +43,11 @@ struct Rigid {
 /// The rigid bodies of a formulation, in the order of the groups of their particles.
 template <int Dim>
 struct RigidBodies {
-  std::vector<Rigid<Dim>> bodies = {};    ///< one for each group of the rigid body
-  RigidContact contact = {};              ///< of bodies with each other and with walls
-  std::vector<Spring<Dim>> springs = {};  ///< between bodies, or from bodies to space
+  std::vector<Rigid<Dim>> bodies = {};    ///< one for each group of rigid particles
+  RigidContact contact = {};              ///< contact of bodies with each other and with walls
+  std::vector<Spring<Dim>> springs = {};  ///< springs between bodies, or between a body and a fixed point
   double angle_per_step = 0.05;           ///< largest rotation in one step, rad
-  double spacings_per_step = 0.1;         ///< largest way of a surface particle in one step over the spacing, -
+  double spacings_per_step = 0.1;         ///< largest displacement of a particle in one step over the spacing, -
 
   static constexpr auto parameters() {
     return std::array{
@@ -56,7 +57,8 @@ struct RigidBodies {
                   "largest way of a surface particle in one step over the spacing", allowed::above_or_infinite(0))};
   }
 
-  /// Throws std::invalid_argument if a number is out of range; with the number of the body as Rigid::check() does.
+  /// Throws std::invalid_argument if a value is out of range; errors of Rigid::check() also name the number of the
+  /// body.
   void check() const {
     check_parameters(*this, "RigidBodies");
     contact.check();

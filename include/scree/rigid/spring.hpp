@@ -10,18 +10,18 @@
 
 namespace scree {
 
-/// A spring and a dashpot between a point of a rigid body and a fixed point, or a point of another rigid body. All
-/// numbers are per metre of depth in 2D.
+/// A spring and a dashpot between a point of a rigid body and either a fixed point or a point of another rigid body. In
+/// 2D all values are per metre of depth.
 template <int Dim>
 struct Spring {
   int body = 0;                                        ///< number of the rigid body
-  Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< its point at time zero, m
-  std::optional<int> other = {};                       ///< number of another rigid body; none: fixed in space
-  Vec<Dim, double> anchor = Vec<Dim, double>::Zero();  ///< the point at the other end at time zero, m
+  Vec<Dim, double> point = Vec<Dim, double>::Zero();   ///< attachment point on the body at time zero, m
+  std::optional<int> other = {};                       ///< number of another rigid body; empty: fixed in space
+  Vec<Dim, double> anchor = Vec<Dim, double>::Zero();  ///< attachment point at the other end at time zero, m
   double stiffness = 0;                                ///< N/m
   double damping = 0;                 ///< along the line between the points; in all directions if `length` is 0; N s/m
-  std::optional<double> length = {};  ///< without load, m; none: the distance at time zero
-  double torsion = 0;                 ///< against rotation relative to that at time zero, below pi, N m/rad
+  std::optional<double> length = {};  ///< length without load, m; if empty, the distance at time zero
+  double torsion = 0;                 ///< against relative rotation since time zero, below pi, N m/rad
   double torsion_damping = 0;         ///< N m s/rad
 
   static constexpr auto parameters() {
@@ -32,7 +32,7 @@ struct Spring {
         parameter("torsion_damping", &Spring::torsion_damping, "N m s/rad", "moment over angular velocity",
                   allowed::at_least(0))};
   }
-  /// Throws std::invalid_argument if a parameter is out of range or there are no such bodies.
+  /// Throws std::invalid_argument if a parameter is out of range or a body does not exist.
   void check(int bodies) const {
     check_parameters(*this, "Spring");
     check_setting(body >= 0 && body < bodies, "body of a Spring", body, "the number of a rigid body, from 0");
@@ -46,7 +46,7 @@ struct Spring {
 
 namespace detail {
 
-/// The rotation vector of an attitude, rad.
+/// Returns the rotation vector of an attitude, rad.
 SCREE_FN Turn<2> rotation_vector(Attitude<2> const& q) { return q; }
 SCREE_FN Turn<3> rotation_vector(Attitude<3> q) {
   if (q[0] < 0) q = -q;
@@ -54,7 +54,7 @@ SCREE_FN Turn<3> rotation_vector(Attitude<3> q) {
   double const s = norm(v);
   return s > 1e-9 ? Turn<3>(v * (2 * Kokkos::atan2(s, q[0]) / s)) : Turn<3>(2.0 * v);
 }
-/// The attitude q seen from p.
+/// Returns the attitude q relative to the attitude p.
 SCREE_FN Attitude<2> relative(Attitude<2> const& q, Attitude<2> const& p) { return q - p; }
 SCREE_FN Attitude<3> relative(Attitude<3> const& q, Attitude<3> const& p) {
   Vec<3, double> const a(q[1], q[2], q[3]), b(-p[1], -p[2], -p[3]);

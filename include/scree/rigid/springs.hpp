@@ -15,7 +15,8 @@
 // The springs and dashpots of the rigid bodies of a solver.
 namespace scree::detail {
 
-/// A spring on the device: its points are arms from the centres at time zero; other < 0: fixed in space.
+/// A spring on the device. Its attachment points are relative to the centres at time zero; if `other` is negative,
+/// `anchor` is a point fixed in space.
 template <int Dim>
 struct SpringConstants {
   int body, other;
@@ -23,7 +24,7 @@ struct SpringConstants {
   double stiffness, damping, length, torsion, torsion_damping;
 };
 
-/// The sum of the forces of its springs for each body, in the order of the springs.
+/// Computes the spring forces and moments on each body, summed in the order of the springs.
 template <class P>
 struct SpringForces {
   static constexpr int dim = P::dim;
@@ -65,7 +66,7 @@ struct SpringForces {
     X const arm = matrix_of(q) * point;
     return {X(states.load(rigid_centre, body) + arm), X(states.load(rigid_velocity, body) + cross(w, arm)), arm, w, q};
   }
-  /// The force of a spring on the body of its near end, N.
+  /// Returns the force, N, of a spring on the body at its near end.
   SCREE_FN static X pull(SpringConstants<dim> const& spring, End const& near, End const& far) {
     X const r = near.x - far.x, u = near.u - far.u;
     double const distance = norm(r);
@@ -73,7 +74,7 @@ struct SpringForces {
     X const along = r / distance;
     return X(-(spring.stiffness * (distance - spring.length) + spring.damping * dot(u, along)) * along);
   }
-  /// The moment of torsion of a spring on the body of its near end, N m.
+  /// Returns the torsional moment, N m, of a spring on the body at its near end.
   SCREE_FN static Turn<dim> twist(SpringConstants<dim> const& spring, End const& near, End const& far) {
     if (spring.torsion == 0 && spring.torsion_damping == 0) return zero<Turn<dim>>();
     Turn<dim> const angle = rotation_vector(relative(near.q, far.q));
@@ -119,7 +120,7 @@ class RigidSprings {
                                                           RigidSpringForce, RigidSpringMoment>{}),
                                      springs_});
   }
-  /// The largest step that resolves all springs, s.
+  /// Returns the limit on the time step, s, up to which all springs are resolved.
   TimeStepLimit limit() const { return {"springs", longest_, TimeStepLimit::never}; }
 
  private:

@@ -9,8 +9,8 @@
 #include "contact_fields.hpp"
 #include "turning.hpp"
 
-// The state of rigid bodies: fields of the body RigidStates, which has one particle for each of them. They are in
-// double precision in every formulation. Snapshots, trials and output treat them like all fields.
+// The state of rigid bodies: fields of the body RigidStates, which has one particle for each rigid body. These fields
+// are in double precision in every formulation. Snapshots, trials and output treat them like all other fields.
 namespace scree {
 
 namespace detail {
@@ -30,34 +30,35 @@ struct RigidTurn : Labelled<Name, Unit> {
 struct RigidCentre : detail::RigidVector<"rigid centre", "m"> {};
 /// Velocity of the centre of mass, m/s.
 struct RigidVelocity : detail::RigidVector<"rigid velocity", "m/s"> {};
-/// Rotation since time zero: an angle (rad) or a unit quaternion.
+/// Rotation of a rigid body since time zero: an angle (rad) or a unit quaternion.
 struct RigidAttitude : Labelled<"rigid attitude", "1"> {
   template <int Dim, class>
   using value = Attitude<Dim>;
 };
-/// Angular momentum about the centre, in the axes of space; in 2D of a slice one metre deep.
+/// Angular momentum of a rigid body about its centre, in the axes of space; in 2D of a slice one metre deep.
 struct AngularMomentum : detail::RigidTurn<"angular momentum", "kg m^2/s"> {};
-/// Angular velocity in the axes of space.
+/// Angular velocity of a rigid body, in the axes of space.
 struct AngularVelocity : detail::RigidTurn<"angular velocity", "rad/s"> {};
-/// Acceleration of the centre of mass by all forces; zero along given components. It is not stored.
+/// Acceleration of the centre of mass by all forces; its prescribed components are zero. The acceleration is not
+/// stored.
 struct RigidAcceleration : detail::RigidVector<"rigid acceleration", "m/s^2"> {};
-/// Moment of all forces about the centre. It is not stored.
+/// Moment of all forces about the centre. The moment is not stored.
 struct RigidTorque : detail::RigidTurn<"rigid torque", "N m"> {};
-/// Force of the material; in 2D on a slice one metre deep.
+/// Force of the material on a rigid body; in 2D on a slice one metre deep.
 struct RigidForce : detail::RigidVector<"rigid force", "N"> {};
-/// Moment of the material about the centre.
+/// Moment of the force of the material about the centre.
 struct RigidMoment : detail::RigidTurn<"rigid moment", "N m"> {};
-/// Force of contacts with walls and other rigid bodies.
+/// Force on a rigid body by contacts with walls and other rigid bodies.
 struct RigidContactForce : detail::RigidVector<"rigid contact force", "N"> {};
-/// Moment of contacts with walls and other rigid bodies about the centre.
+/// Moment about the centre of a rigid body by contacts with walls and other rigid bodies.
 struct RigidContactMoment : detail::RigidTurn<"rigid contact moment", "N m"> {};
-/// Force of springs.
+/// Force of the springs on a rigid body.
 struct RigidSpringForce : detail::RigidVector<"rigid spring force", "N"> {};
-/// Moment of springs about the centre.
+/// Moment of the springs about the centre of a rigid body.
 struct RigidSpringMoment : detail::RigidTurn<"rigid spring moment", "N m"> {};
-/// Acceleration of the body that the material sees, smoothed over some steps.
+/// Acceleration of the centre of mass, smoothed over some steps, for the stress that is extrapolated into the body.
 struct SeenAcceleration : detail::RigidVector<"seen acceleration", "m/s^2"> {};
-/// Angular acceleration that the material sees, smoothed over some steps.
+/// Angular acceleration, smoothed over some steps, for the stress that is extrapolated into the body.
 struct SeenTurning : detail::RigidTurn<"seen angular acceleration", "rad/s^2"> {};
 
 namespace fields {
@@ -83,7 +84,7 @@ namespace detail {
 using RigidEvolved = Fields<RigidCentre, RigidVelocity, RigidAttitude, AngularMomentum>;
 using RigidPrevious =
     Fields<Previous<RigidCentre>, Previous<RigidVelocity>, Previous<RigidAttitude>, Previous<AngularMomentum>>;
-/// Rates of rigid bodies that follow from their forces and are not stored.
+/// Rates of rigid bodies that are computed from their forces and not stored.
 using RigidRates = Fields<RigidAcceleration, RigidTorque>;
 using RigidSeen = Fields<SeenAcceleration, SeenTurning>;
 using RigidForces =
@@ -94,20 +95,20 @@ using RigidFields =
 /// The constants of a rigid body on the device.
 template <int Dim>
 struct RigidConstants {
-  double mass, radius;  // of the particles about the centre
+  double mass, radius;  // radius: of the particles about the centre
   Vec<Dim, double> rest_centre;
   Inertia<Dim> inertia;
-  Vec<Dim, double> velocity;  // where given
+  Vec<Dim, double> velocity;  // prescribed components
   Turn<Dim> turning;
   bool gives_velocity[Dim], gives_turning[turns_in<Dim>];
 
-  /// A velocity or acceleration, with the values of `given` in the components that are given.
+  /// Returns a velocity or acceleration in which the prescribed components are taken from `given`.
   SCREE_FN Vec<Dim, double> given_or(Vec<Dim, double> free, Vec<Dim, double> const& given) const {
     for (int axis = 0; axis < Dim; ++axis)
       if (gives_velocity[axis]) free[axis] = given[axis];
     return free;
   }
-  /// The solution w of J w = L where w is free; elsewhere w is `given`.
+  /// Returns the solution w of J w = L in the free components; the prescribed components of w are taken from `given`.
   SCREE_FN Turn<Dim> turning_of(Attitude<Dim> const& q, Turn<Dim> L, Turn<Dim> const& given) const {
     Inertia<Dim> J = in_space(inertia, q);
     for (int a = 0; a < turns_in<Dim>; ++a) {
@@ -118,7 +119,7 @@ struct RigidConstants {
     return solved(J, L);
   }
   SCREE_FN Turn<Dim> turning_of(Attitude<Dim> const& q, Turn<Dim> const& L) const { return turning_of(q, L, turning); }
-  /// The attitude after a time (s) with a constant angular momentum, by the implicit midpoint rule on rotations.
+  /// Returns the attitude after a time (s) at constant angular momentum, by the implicit midpoint rule on rotations.
   SCREE_FN Attitude<Dim> turned_over(Attitude<Dim> const& q, Turn<Dim> const& L, double time) const {
     Turn<Dim> w = turning_of(q, L);
     for (int k = 0; k < 30; ++k) {
@@ -131,7 +132,7 @@ struct RigidConstants {
   }
 };
 
-/// A rotation of a body with a constant angular momentum over a time (s). It is added to attitudes.
+/// A rotation of a body at constant angular momentum over a time (s). It can be added to an attitude.
 template <int Dim>
 struct AddedRotation {
   RigidConstants<Dim> const& body;
@@ -142,7 +143,8 @@ template <int Dim>
 SCREE_FN Attitude<Dim> operator+(Attitude<Dim> const& q, AddedRotation<Dim> const& by) {
   return by.body.turned_over(q, by.L, by.time);
 }
-/// The attitude in a list `evolves`: it rotates with the angular momentum of a record, which has the constants `body`.
+/// The entry of the attitude in a list `evolves`: the attitude rotates with the angular momentum of a record that has
+/// the constants `body`.
 struct RotatingAttitude : RigidAttitude {
   using rate = AngularMomentum;
   static constexpr bool has_own_change = true;
@@ -162,8 +164,8 @@ struct evolution<RotatingAttitude> {
   using field = RigidAttitude;
 };
 
-/// The fields of a rigid body that evolve with the velocity of the material, and those that evolve with its position:
-/// lists like `evolves` of a physics model, for the functions of an integrator.
+/// The fields of a rigid body that evolve with the velocity of the material (RigidMomenta) and with its position
+/// (RigidPlaces): lists like `evolves` of a physics model, for the functions of an integrator.
 using RigidMomenta = Fields<Evolves<RigidVelocity, RigidAcceleration>, Evolves<AngularMomentum, RigidTorque>>;
 using RigidPlaces = Fields<Evolves<RigidCentre, RigidVelocity>, RotatingAttitude>;
 using RigidEvolves = Merge<RigidMomenta, RigidPlaces>;

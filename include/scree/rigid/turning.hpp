@@ -5,11 +5,11 @@
 #include "../core/types.hpp"
 
 // Rotations of rigid bodies, in double precision. In 2D an angular velocity or a moment is one number, positive from
-// the first towards the last axis, and an attitude is an angle; in 3D they are vectors by the right-hand rule in the
-// axes of space, and an attitude is a unit quaternion, the scalar part first.
+// the first axis towards the last, and an attitude is an angle. In 3D an angular velocity or a moment is a vector in
+// the axes of space, by the right-hand rule, and an attitude is a unit quaternion with the scalar part first.
 namespace scree {
 
-/// The number of components of an angular velocity: 1 in the plane, 3 in space.
+/// The number of components of an angular velocity: 1 in 2D, 3 in 3D.
 template <int Dim>
 inline constexpr int turns_in = Dim == 2 ? 1 : 3;
 /// An angular velocity (rad/s), an angular momentum (kg m^2/s) or a moment (N m).
@@ -18,19 +18,19 @@ using Turn = Vec<turns_in<Dim>, double>;
 /// The rotation of a body since time zero: an angle (rad) or a unit quaternion.
 template <int Dim>
 using Attitude = Vec<(Dim == 2 ? 1 : 4), double>;
-/// A moment of inertia or a tensor of inertia, kg m^2.
+/// A moment of inertia (2D) or a tensor of inertia (3D), kg m^2.
 template <int Dim>
 using Inertia = Mat<turns_in<Dim>, double>;
 
-/// w x r: the velocity of a point at the arm r. In 3D it is the cross product of core/algebra.hpp.
+/// Returns w x r, the velocity of a point at the arm r. The 3D version is the cross product in core/algebra.hpp.
 SCREE_FN Vec<2, double> cross(Turn<2> const& w, Vec<2, double> const& r) { return {-w[0] * r[1], w[0] * r[0]}; }
-/// r x F: the moment of a force with the arm r.
+/// Returns r x F, the moment of a force F with the arm r.
 SCREE_FN Turn<2> moment_of(Vec<2, double> const& r, Vec<2, double> const& F) {
   return Turn<2>::Constant(r[0] * F[1] - r[1] * F[0]);
 }
 SCREE_FN Turn<3> moment_of(Vec<3, double> const& r, Vec<3, double> const& F) { return cross(r, F); }
 
-/// The matrix W with W r = w x r.
+/// Returns the matrix W with W r = w x r.
 SCREE_FN Mat<2, double> cross_matrix(Turn<2> const& w) {
   Mat<2, double> W = zero<Mat<2, double>>();
   W(0, 1) = -w[0], W(1, 0) = w[0];
@@ -43,7 +43,7 @@ SCREE_FN Mat<3, double> cross_matrix(Turn<3> const& w) {
   return W;
 }
 
-/// The attitude at time zero.
+/// Returns the attitude at time zero.
 template <int Dim>
 SCREE_FN Attitude<Dim> upright() {
   Attitude<Dim> q = zero<Attitude<Dim>>();
@@ -51,7 +51,7 @@ SCREE_FN Attitude<Dim> upright() {
   return q;
 }
 
-/// An attitude after a further rotation by the vector w (rad).
+/// Returns the attitude q after a further rotation by the vector w (rad).
 SCREE_FN Attitude<2> turned(Attitude<2> const& q, Turn<2> const& w) { return q + w; }
 SCREE_FN Attitude<3> turned(Attitude<3> const& q, Turn<3> const& w) {
   double const half = norm(w) / 2, c = Kokkos::cos(half);
@@ -65,7 +65,8 @@ SCREE_FN Attitude<3> turned(Attitude<3> const& q, Turn<3> const& w) {
   return r / norm(r);
 }
 
-/// The matrix of an attitude: from the axes of the body, which are those of space at time zero, to those of space.
+/// Returns the rotation matrix of an attitude, which maps the axes of the body to the axes of space. At time zero the
+/// axes of the body are the axes of space.
 SCREE_FN Mat<2, double> matrix_of(Attitude<2> const& q) {
   double const c = Kokkos::cos(q[0]), s = Kokkos::sin(q[0]);
   Mat<2, double> R;
@@ -83,14 +84,14 @@ SCREE_FN Mat<3, double> matrix_of(Attitude<3> const& q) {
   return R;
 }
 
-/// The inertia of a body in the axes of space.
+/// Returns the inertia of a body in the axes of space.
 SCREE_FN Inertia<2> in_space(Inertia<2> const& of_body, Attitude<2> const&) { return of_body; }
 SCREE_FN Inertia<3> in_space(Inertia<3> const& of_body, Attitude<3> const& q) {
   Mat<3, double> const R = matrix_of(q);
   return R * of_body * transposed(R);
 }
 
-/// The solution of A x = b.
+/// Returns the solution x of A x = b.
 SCREE_FN Turn<2> solved(Inertia<2> const& A, Turn<2> const& b) { return Turn<2>::Constant(b[0] / A(0, 0)); }
 SCREE_FN Turn<3> solved(Inertia<3> const& A, Turn<3> const& b) {
   auto const row = [&](int a) { return Vec<3, double>(A(a, 0), A(a, 1), A(a, 2)); };

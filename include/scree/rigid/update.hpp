@@ -7,10 +7,11 @@
 
 #include <type_traits>
 
-// The update of rigid bodies by the functions of an integrator, which are written for lists of fields that evolve.
+// The update of rigid bodies by the functions of an integrator, which operate on lists of evolved fields.
 namespace scree::detail {
 
-/// A rigid body with its values and rates. Given components of the velocity have their given values.
+/// A rigid body with its fields and rates, as an integrator reads them. Prescribed components of the velocity have
+/// their prescribed values.
 template <int Dim, class I>
 struct RigidPoint {
   I const& i;
@@ -29,7 +30,7 @@ struct RigidPoint {
       return i[field];
   }
 };
-/// The new values of a rigid body.
+/// The new values of a rigid body, as an integrator writes them.
 template <int Dim, class O>
 struct RigidResults {
   O& out;
@@ -40,8 +41,8 @@ struct RigidResults {
   }
 };
 
-/// The update of rigid bodies by a function of an integrator for RigidEvolves or some of them. Whatever it stores,
-/// given components of the velocity have their given values afterwards.
+/// The update of rigid bodies by a function of an integrator that evolves some or all fields of RigidEvolves.
+/// Afterwards prescribed components of the velocity have their prescribed values, whatever the function stores.
 template <class P, class Function>
 struct RigidUpdate {
   static constexpr int dim = P::dim;
@@ -79,8 +80,9 @@ struct RigidUpdate {
     else
       return i[field];
   }
-  /// The wall stress depends on the acceleration, and the acceleration of a light body on the wall stress. The full
-  /// present value would make both oscillate.
+  /// Updates the smoothed accelerations that the wall stress uses. The wall stress depends on the acceleration of a
+  /// body, and the acceleration of a light body depends on the wall stress: with the present acceleration both would
+  /// oscillate.
   template <class I, class O>
   SCREE_FN static void see(RigidConstants<dim> const& body, I const& i, X const& a, Turn<dim> M, O& out) {
     using namespace fields;
@@ -88,7 +90,7 @@ struct RigidUpdate {
     Inertia<dim> const J = in_space(body.inertia, Attitude<dim>(i[rigid_attitude]));
     if constexpr (dim == 3) M -= cross(w, Turn<3>(J * w));
     Turn<dim> const turning = body.turning_of(i[rigid_attitude], M, zero<Turn<dim>>());
-    double const share = 0.125;  // a mean over the last eight updates or so
+    double const share = 0.125;  // a mean over about the last eight updates
     out[seen_acceleration] = i[seen_acceleration] + share * X(a - i[seen_acceleration]);
     out[seen_turning] = i[seen_turning] + share * Turn<dim>(turning - i[seen_turning]);
   }

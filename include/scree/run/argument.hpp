@@ -10,10 +10,10 @@
 
 namespace scree {
 
-/// The k-th argument of a program as a number, or another one where it was not given:
+/// Returns the k-th argument of a program as a number, or `otherwise` if the argument is missing:
 ///     double const duration = argument<double>(argc, argv, 1, 0.5);
-/// Throws std::invalid_argument with the number and the text of an argument that is not a finite number (for an
-/// integer, a whole one), or is followed by other text, such as a unit.
+/// Throws std::invalid_argument, with the index and the text of the argument, if the argument is not a finite number
+/// (for an integer, a whole number) or is followed by other text, such as a unit.
 template <class T>
 T argument(int argc, char const* const* argv, int k, std::type_identity_t<T> otherwise) {
   static_assert(std::is_same_v<T, double> || std::is_same_v<T, int>, "argument<T> reads numbers of type double or int");

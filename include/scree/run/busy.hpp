@@ -8,10 +8,10 @@
 #include <memory>
 #include <stdexcept>
 
-// Uses of a solver that its state does not allow.
+// Checks for uses of a solver that its state does not allow.
 namespace scree::detail {
 
-/// An instance of an execution space by default. Throws std::logic_error if there is no Kokkos to make it from.
+/// Returns the default instance of an execution space. Throws std::logic_error unless Kokkos is initialised.
 template <class Space>
 Space default_instance() {
   if (!Kokkos::is_initialized())
@@ -21,10 +21,12 @@ Space default_instance() {
   return Space();
 }
 
-/// Whether a solver is advancing. It moves with the solver, so that one without it was moved from.
+/// A flag that is set while a solver is advancing. The flag moves with the solver, so a solver without a flag was moved
+/// from.
 class Busy {
  public:
-  /// Holds the solver while it lives. Throws std::logic_error if another one does, or if there is nothing to hold.
+  /// A guard that sets the flag as long as it exists. Its constructor throws std::logic_error if another guard has set
+  /// the flag or the solver was moved from.
   class Hold {
    public:
     explicit Hold(Busy const& busy) : flag_(busy.flag()) {

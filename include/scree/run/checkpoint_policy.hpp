@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "interrupt.hpp"
 #include "snapshot_notes.hpp"
 #include "wall_clock.hpp"
@@ -16,49 +16,49 @@
 #include <string>
 #include <vector>
 
-// Decides when a run writes checkpoints. Nothing here depends on HDF5, so that a compiler for devices accepts it;
-// io/checkpoints.hpp adds the files.
+// The policy that decides when a run writes checkpoints. It does not depend on HDF5, so that device compilers accept
+// it; io/checkpoints.hpp adds the files.
 namespace scree {
 
 /// The file and the intervals of the checkpoints of a run.
 struct CheckpointOptions {
   std::filesystem::path file;  ///< "output/checkpoint.h5"; its directory must exist
   double interval = 1800;      ///< seconds of wall time between two checkpoints; 0: every step
-  double time_interval = std::numeric_limits<double>::infinity();  ///< the same in simulated time, s; above 0
-  Notes notes = {};                                ///< kept in each checkpoint: the case as text, the version, ...
+  double time_interval = std::numeric_limits<double>::infinity();  ///< simulated time between checkpoints, s; above 0
+  Notes notes = {};                                ///< stored in each checkpoint: the case as text, the version, ...
   std::function<double()> seconds = wall_seconds;  ///< a clock
 };
 
 /// Functions that write and read a checkpoint, as write_checkpoint() and read_checkpoint() do.
 struct CheckpointFiles {
   std::function<void(std::filesystem::path const&, Snapshot const&)> write;  ///< replaces the file
-  std::function<Snapshot(std::filesystem::path const&)> read;                ///< throws where the file is damaged
+  std::function<Snapshot(std::filesystem::path const&)> read;                ///< throws if the file is damaged
 };
 
-/// Writes a checkpoint after each interval of wall time or of simulated time, whichever ends first, and when the run is
-/// interrupted (see Interrupt). Use it through run_with(). Each rank of a case has a policy. If one of the ranks has to
-/// write or stop, all of them do so after the same step.
+/// A policy that writes a checkpoint after each interval of wall time or of simulated time, whichever ends first, and
+/// when the run is interrupted (see Interrupt). Pass it to run_with(). Each rank of a case has its own policy. If one
+/// rank has to write a checkpoint or stop, all ranks do so after the same step.
 class CheckpointPolicy {
  public:
-  /// Throws std::invalid_argument if an interval is out of range, or a file cannot hold the notes.
+  /// Throws std::invalid_argument if an interval is out of range or a file cannot store the notes.
   CheckpointPolicy(CheckpointOptions options, CheckpointFiles files);
   ~CheckpointPolicy();
 
-  /// Returns the snapshot of the checkpoint to start from. `report` gets a line about notes that have changed since it
-  /// was written. Throws std::runtime_error if the file cannot be read.
+  /// Returns the snapshot of the checkpoint to start from. Calls `report` with a line for each change of the notes
+  /// since the checkpoint was written. Throws std::runtime_error if the file cannot be read.
   Snapshot read(std::filesystem::path const& file, std::function<void(std::string const&)> const& report = {}) const;
 
-  /// Keeps the numbers that a function returns in each checkpoint, for numbers_in(). Throws std::invalid_argument for a
-  /// name that a file cannot hold.
+  /// Registers a function whose numbers are stored in each checkpoint under a name, for numbers_in(). Throws
+  /// std::invalid_argument if a file cannot store the name.
   void keep(std::string const& name, std::function<std::vector<double>()> numbers);
 
-  /// Call it after each step, when observers have run. Returns true if the run should stop: an interrupt has come, and
-  /// its checkpoint is written.
+  /// Writes a checkpoint if one is due. Call this after each step, when observers have run. Returns true if the run
+  /// should stop because it was interrupted; the checkpoint is then written.
   template <class Solver>
   bool after_step(Solver const& solver) {
     auto const largest = [&](int number) {
-      if constexpr (requires { solver.ranks(); })
-        return int(solver.ranks().largest(number));
+      if constexpr (requires { solver.whole_case(); })
+        return int(solver.whole_case().largest(number));
       else
         return number;
     };
@@ -69,21 +69,22 @@ class CheckpointPolicy {
   }
   /// Whether after_step() would write a checkpoint at a time (s).
   bool due(double time) { return due() || is_reached(time); }
-  /// Whether after_step() would write a checkpoint now because of wall time or an interrupt, whatever the simulated
-  /// time.
+  /// Whether after_step() would write a checkpoint now because of wall time or an interrupt, regardless of the
+  /// simulated time.
   bool due() const;
-  /// Writes a checkpoint now. The previous one is kept, see write_checkpoint().
+  /// Writes a checkpoint now and keeps the previous one, see write_checkpoint().
   void save(Snapshot snapshot);
 
   /// Whether an interrupt has stopped the run.
   bool interrupted() const { return exit_code_ != 0; }
-  /// The value that main() should return: 0, or the exit code that a shell expects after a signal.
+  /// Returns the value that main() should return: 0, or the exit code that a shell expects after a signal.
   int exit_code() const { return exit_code_ != 0 ? exit_code_ : interrupt_.exit_code(); }
 
  private:
   static void require(std::string const& no_fault);
   double next_after(double time) const;
-  /// Whether a multiple of the time interval is reached, counted from the one before the first call.
+  /// Whether `time` has reached the next multiple of the time interval after the last checkpoint or, before any
+  /// checkpoint, after the first call.
   bool is_reached(double time);
 
   CheckpointOptions options_;
@@ -92,7 +93,7 @@ class CheckpointPolicy {
   double last_;
   std::optional<double> next_;
   Interrupt interrupt_;
-  int exit_code_ = 0;  // of the signal that has ended all ranks
+  int exit_code_ = 0;  // of the signal that has stopped all ranks
 };
 
 }  // namespace scree

@@ -40,7 +40,7 @@ SCREE_BODY void CheckpointPolicy::save(Snapshot snapshot) {
   snapshot.notes = options_.notes;
   for (auto const& [name, numbers] : kept_) add_numbers(snapshot, name, numbers());
   if (writes_files()) files_.write(options_.file, snapshot);
-  last_ = options_.seconds();  // slow disks must not stop the run
+  last_ = options_.seconds();  // the time after writing, so that a slow disk does not stop the run
   next_ = next_after(snapshot.time);
 }
 SCREE_BODY void CheckpointPolicy::require(std::string const& no_fault) {

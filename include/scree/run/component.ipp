@@ -27,7 +27,7 @@ SCREE_BODY std::string AttachedComponents::signature() const {
   return text;
 }
 
-/// The name of the counters of a component in a snapshot.
+/// Returns the name under which a snapshot stores the counters of a component.
 inline std::string heading_of_component(std::size_t number) { return "component " + std::to_string(number); }
 
 SCREE_BODY void AttachedComponents::save(Snapshot& snapshot, long steps) const {

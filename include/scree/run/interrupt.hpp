@@ -10,11 +10,12 @@
 
 namespace scree {
 
-/// As long as it exists, Ctrl-C, SIGTERM, SIGHUP (a closed terminal), SIGXCPU (a limit of time) and SIGUSR1 (a warning
-/// that schedulers can send before their limit) only set a flag, so that a run can write a checkpoint and stop. A
-/// second Ctrl-C has its usual effect; a second one of the others has none, because job schedulers and timeout(1) send
-/// several. Signals that were ignored before (as in a background job) stay ignored. Objects that exist at the same
-/// time, as those of several runs in one program do, see the same signals, from the first of them on.
+/// A guard that catches signals. As long as it exists, Ctrl-C, SIGTERM, SIGHUP (a closed terminal), SIGXCPU (a time
+/// limit) and SIGUSR1 (a warning that schedulers can send before their limit) only set a flag, so that a run can write
+/// a checkpoint and stop. A second Ctrl-C has its usual effect; repetitions of the other signals have none, because job
+/// schedulers and timeout(1) send several. Signals that were ignored before (as in a background job) remain ignored.
+/// Guards that exist at the same time, for instance in several runs of one program, share one flag, which the first
+/// guard clears.
 class Interrupt {
  public:
   /// Begins to catch signals.
@@ -27,7 +28,7 @@ class Interrupt {
       received = signal;
       if (signal == SIGINT) sigaction(SIGINT, &before[0], nullptr);
     };
-    catching.sa_flags = SA_RESTART;  // output that is being written is completed
+    catching.sa_flags = SA_RESTART;  // output in progress is completed
     sigemptyset(&catching.sa_mask);
     for (int const signal : signals) sigaddset(&catching.sa_mask, signal);
     for (std::size_t k = 0; k < signals.size(); ++k) {
@@ -44,13 +45,13 @@ class Interrupt {
 
   /// Whether a signal has asked the run to stop.
   bool requested() const { return received != 0; }
-  /// The exit code that a shell expects after a signal; 0 if there was none.
+  /// Returns the exit code that a shell expects after a signal; 0 if there was none.
   int exit_code() const { return requested() ? 128 + received : 0; }
 
  private:
   static constexpr std::array<int, 5> signals = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1};
 
-  // A handler can only access static variables; sigaction() is among the few functions that it may call.
+  // A signal handler can access only static variables; sigaction() is among the few functions that it may call.
   static_assert(std::atomic<int>::is_always_lock_free, "a handler of signals can set a lock-free number only");
   static inline std::atomic<int> received = 0;
   static inline std::array<struct sigaction, signals.size()> before = {};

@@ -14,20 +14,20 @@
 
 namespace scree {
 
-/// Whether a time is reached: now, or later by no more than rounding.
+/// Whether `time` is reached at the time `now`, apart from rounding errors.
 inline bool has_come(double time, double now) { return time <= now * (1 + 1e-12); }
 
 /// An action at given times.
 template <class S>
 struct Observer {
-  std::function<double(double now)> next;  ///< the first time after `now` at which to act, s
-  std::function<void(S&)> act;             ///< what is done then
+  std::function<double(double now)> next;  ///< returns the time of the first action after `now`, s
+  std::function<void(S&)> act;             ///< the action
 };
 
 namespace detail {
 template <class Act, class S>
 concept Observes = !std::is_void_v<S> && std::is_convertible_v<Act, std::function<void(S&)>>;
-/// A placeholder for an observer after an error of the compiler.
+/// A placeholder for an observer after a compile-time error.
 template <class S>
 struct any_observer {
   using type = Observer<S>;
@@ -41,7 +41,7 @@ struct any_observer<void> {
 };
 template <class S>
 using refused_observer = typename any_observer<S>::type;
-/// Throws std::invalid_argument for an observer without one of its functions.
+/// Throws std::invalid_argument if an observer lacks one of its functions.
 [[gnu::cold]] inline void check_has_functions(bool has_them) {
   if (!has_them) throw std::invalid_argument("scree: an observer needs functions `next` and `act`, and one is empty");
 }
@@ -53,16 +53,16 @@ constexpr void explain_observers() {
 }
 }  // namespace detail
 
-/// An observer that acts at 0, interval, 2 interval, ... (s). Throws std::invalid_argument unless that is positive, and
-/// without an action.
+/// Returns an observer that acts at 0, interval, 2 interval, ... (s). Throws std::invalid_argument if the interval is
+/// not positive or the action is empty.
 template <class S>
 Observer<S> every(double interval, std::function<void(S&)> act) {
   check_setting(interval > 0, "the interval of every() (s)", interval, "above 0");
   detail::check_has_functions(bool(act));
   return {[interval](double now) { return interval * std::floor(now / interval * (1 + 1e-12) + 1); }, std::move(act)};
 }
-/// An observer that acts at given times (s).
-/// Throws std::invalid_argument for a time that is negative or NaN, and without an action.
+/// Returns an observer that acts at given times (s). Throws std::invalid_argument if a time is negative or NaN, or if
+/// the action is empty.
 template <class S>
 Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
   for (double const time : times) check_setting(time >= 0, "a time of at() (s)", time, "0 or more");
@@ -76,7 +76,7 @@ Observer<S> at(std::vector<double> times, std::function<void(S&)> act) {
           std::move(act)};
 }
 
-// With any other argument the compiler says what is wrong with the observer.
+// Overloads for all other arguments, which report at compile time what is wrong with the observer.
 template <class S = void, class Interval, class Act>
 requires(!detail::Observes<Act, S> ||
          !std::is_convertible_v<Interval, double>) detail::refused_observer<S> every(Interval const&, Act const&) {
@@ -98,12 +98,14 @@ requires(!detail::Observes<Act, S> ||
   return {};
 }
 
-/// The next times of the observers of a run. Times that differ only by rounding (3 * 0.1 s and 0.3 s) count as one.
+/// The next times of the observers of a run. Times that differ only by rounding (3 * 0.1 s and 0.3 s) are treated as
+/// equal.
 template <class S>
 class Schedule {
  public:
-  /// At time 0 all observers act. They must outlive the schedule. Throws std::invalid_argument if an observer has no
-  /// function or gives a next time that is not later than the present one.
+  /// Runs all observers if the time of the solver is 0. The observers must outlive the schedule. Throws
+  /// std::invalid_argument if an observer lacks a function or returns a next time that is not later than the current
+  /// time.
   Schedule(std::vector<Observer<S>> const& observers, S& solver) : observers_(observers) {
     for (auto const& observer : observers_) detail::check_has_functions(observer.next && observer.act);
     for (auto const& observer : observers_) {
@@ -111,12 +113,12 @@ class Schedule {
       due_.push_back(next_of(observer, solver.time()));
     }
   }
-  /// The next time to reach (s): that of an observer, or `until`.
+  /// Returns the next time to reach (s): the earliest next time of the observers, or `until` if that is earlier.
   double next(double until) const {
     double const first = due_.empty() ? until : *std::min_element(due_.begin(), due_.end());
     return has_come(until, first) ? until : first;
   }
-  /// Runs all observers whose time is reached.
+  /// Runs all observers whose next time is reached.
   void act(S& solver) {
     for (std::size_t k = 0; k < due_.size(); ++k) {
       if (!has_come(due_[k], solver.time())) continue;

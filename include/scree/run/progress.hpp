@@ -16,7 +16,7 @@ namespace scree {
 /// Settings of Progress.
 struct ProgressOptions {
   double end = 1;                                   ///< value of the advancing quantity at the end
-  std::string name = "t/s";                         ///< what advances
+  std::string name = "t/s";                         ///< name of the advancing quantity
   double unit = 1;                                  ///< divisor of the time of a solver, s
   bool quiet = false;                               ///< print nothing
   std::FILE* stream = stderr;                       ///< standard output stays free for results
@@ -26,24 +26,24 @@ struct ProgressOptions {
 };
 
 namespace detail {
-/// A solver, whose particles may get lost.
+/// Whether S is a solver that counts its lost particles.
 template <class S>
 concept CountsLost = requires(S const& solver) {
-  solver.ranks().largest(0.0);
+  solver.whole_case().anywhere(true);
   { solver.lost() } -> std::convertible_to<long>;
 };
 }  // namespace detail
 
-/// Prints how far a run is, its rate and the time left:
+/// A display of the progress of a run, with its rate and the time left:
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left
-/// On a terminal this is one line that changes, elsewhere a new line every ten seconds. Where particles are lost
-/// (Solver::lost), the lines say how many:
+/// A terminal shows one line, which is updated; any other stream gets a new line every ten seconds. If particles are
+/// lost (Solver::lost), the lines include their number:
 ///     t/s 12.50 of 120 (10 %), 4321 steps, 512 steps/s, 1:02 left, 3 lost
-/// Where rigid bodies, their springs or the motion make steps ten times shorter than the physics model, a note says so
-/// once (Solver::note_on_steps). A stream that cannot be written (full disk, closed pipe) loses the text; the run
-/// continues. Cheap enough to be called every step; run_with() does that. If a case has several ranks, only the first
-/// prints; all of them, quiet ones included, call after_step(solver) and finish(solver) together, because lost
-/// particles are counted on all ranks.
+/// If rigid bodies, their springs or the motion make steps ten times shorter than the physics model does, a note is
+/// printed once (Solver::note_on_steps). If the stream cannot be written (full disk, closed pipe), the text is lost and
+/// the run continues. Updates are cheap enough to be called after every step, as run_with() does. If a case has several
+/// ranks, only the first rank prints, but all ranks, including quiet ones, must call after_step(solver) and
+/// finish(solver) together, because lost particles are counted on all ranks.
 class Progress {
  public:
   /// Starts the clock.
@@ -54,8 +54,8 @@ class Progress {
     if (open_line_) std::fputc('\n', options_.stream);  // so that an error message starts on a line of its own
   }
 
-  /// For a run that continues a checkpoint: the rate and the remaining time count the steps that follow. run_with()
-  /// calls it.
+  /// Sets the value and the number of steps at the beginning of a run that continues from a checkpoint, so that the
+  /// rate and the remaining time refer only to the steps that follow. run_with() calls this function.
   void begin(double value, long steps) {
     if (begun_) return;
     begun_ = true;
@@ -63,13 +63,14 @@ class Progress {
     first_steps_ = steps;
   }
 
-  /// Call after each step (or frame) with the value reached and the number of steps.
+  /// Prints the progress if a line is due. Call this after each step (or frame) with the current value and number of
+  /// steps.
   void update(double value, long steps);
 
-  /// The last line: the value and the number of steps reached, and the time it took.
+  /// Prints the last line, with the final value, the number of steps and the elapsed time.
   void finish(double value, long steps);
 
-  /// Returns false: progress never stops a run.
+  /// Whether a line is to be printed now.
   bool due(double /*time*/ = 0) const {
     return !options_.quiet && options_.seconds() - last_ >= (options_.terminal ? 0.2 : options_.plain_interval);
   }
@@ -77,11 +78,11 @@ class Progress {
   void begin(S const& solver) {
     begin(solver.time() / options_.unit, solver.steps());
   }
-  /// Prints if it is time to, as an observer of a run; false, so that the run goes on.
+  /// Prints the progress of a solver if a line is due. Returns false, because progress never stops a run.
   template <class S>
   bool after_step(S const& solver) {
     if constexpr (detail::CountsLost<S>)
-      if (solver.ranks().on_any(due())) lost_ = solver.lost();
+      if (solver.whole_case().anywhere(due())) lost_ = solver.lost();
     if constexpr (requires { std::string(solver.note_on_steps()); }) say_once(solver.note_on_steps());
     update(solver.time() / options_.unit, solver.steps());
     return false;
@@ -102,7 +103,7 @@ class Progress {
   long first_steps_ = 0, lost_ = 0;
   bool begun_ = false;
   bool open_line_ = false;
-  bool said_ = false;  // a note on the steps
+  bool said_ = false;  // whether the note on steps was printed
 };
 
 }  // namespace scree

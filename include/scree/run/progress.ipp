@@ -4,7 +4,7 @@
 
 #include "../core/compiled.hpp"
 #include "../core/setting.hpp"
-#include "../core/this_rank.hpp"
+#include "../core/writes_files.hpp"
 #include "progress.hpp"
 
 #include <algorithm>

@@ -18,23 +18,23 @@
 #include <utility>
 #include <vector>
 
-// Many small runs in one process, several of them at a time.
+// Many small runs in one process, several at a time.
 namespace scree {
 
-/// The outcome of a case of a study: a result, or an exception. With neither it was not begun, because the study was
-/// stopped before.
+/// The outcome of a case of a study: a result or an exception. If it has neither, the case did not begin, because the
+/// study was stopped earlier.
 template <class Result>
 struct CaseEnd {
   std::optional<Result> result = {};  ///< empty if the case failed or did not begin
   std::exception_ptr failure = {};    ///< the exception that ended the case
 
-  /// Whether the case was run: it then has a result or a failure.
+  /// Whether the case has begun, so that it has a result or a failure.
   bool begun() const { return result || failure; }
 };
 
-/// The number of workers that keeps a device busy with small cases: on a host one for each thread; eight on a GPU,
-/// where the launches of more host threads take turns (docs/performance.md), but no more than the host has cores,
-/// because a thread that waits for a GPU keeps one busy. At most one per case.
+/// Returns the number of workers that keeps a device busy with small cases, at most one per case. On a host, this is
+/// one worker per thread. On a GPU it is eight, because the kernel launches of more host threads are serialised
+/// (docs/performance.md), but no more than the host has cores, because a thread that waits for a GPU occupies a core.
 template <class Space>
 int workers_for(std::size_t cases) {
   int const cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -58,7 +58,7 @@ struct StudyOf {
   using End = CaseEnd<std::conditional_t<has_result, std::decay_t<Result>, int>>;
 };
 
-/// Calls work(instance) in a thread for each instance, or in this one if it is the only one.
+/// Calls work(instance) in a new thread for each instance, or in the calling thread if there is only one instance.
 template <class Space, class Work>
 void work_on(std::vector<Space> const& instances, Work const& work) {
   if (instances.size() == 1) return work(instances.front());
@@ -68,16 +68,16 @@ void work_on(std::vector<Space> const& instances, Work const& work) {
 
 }  // namespace detail
 
-/// Runs a list of cases, functions of an execution-space instance that return a result, in `workers` host threads
-/// (0: workers_for()), each with an instance of its own. A worker takes the next case when it is done with one. Cases
-/// begin in their order; the results are in it, too, whichever ends first. A solver on its instance gives the bits that
-/// it gives alone, so results do not depend on the number of workers. Returns the ends of all cases. Throws
-/// std::invalid_argument for a negative number of workers.
+/// Runs a list of cases in `workers` host threads (0: workers_for()), each with its own instance of the execution
+/// space, and returns the outcomes of all cases. A case is a function of an instance that returns a result. A worker
+/// that has finished a case takes the next one. Cases begin in the order of the list, and the outcomes are in the same
+/// order, whichever case ends first. A solver gives the same bits as if it ran alone, so results do not depend on the
+/// number of workers. Throws std::invalid_argument for a negative number of workers.
 ///
-/// An exception ends its case and is stored in the result of that case; the others continue. `ended(number, end)`, if
-/// given, is called after each case, by one thread at a time; its exception is rethrown here when the running cases
-/// have ended. After a signal (see Interrupt) no further case begins; those under way see the same signal, and their
-/// Checkpoints leave a checkpoint and end them.
+/// An exception ends its case and is stored in the outcome of that case; the other cases continue. If `ended` is given,
+/// ended(number, end) is called after each case, by one thread at a time. If it throws, no further case begins, and the
+/// exception is rethrown when the running cases have ended. After a signal (see Interrupt), no further case begins; the
+/// running cases receive the same signal, and their Checkpoints write a checkpoint and end them.
 ///
 ///     std::vector<std::function<double(Space const&)>> cases;
 ///     for (double const speed : {1.0, 2.0, 4.0})

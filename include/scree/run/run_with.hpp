@@ -6,9 +6,10 @@
 
 namespace scree {
 
-/// A follower of a run, which acts between steps, such as Progress or Checkpoints:
-///   due(time)            whether it has to act at this time (s); cheap, called after each step
-///   after_step(solver)   acts if it has to; returns true to stop the run
+/// Whether a class is a follower of a run, which acts between steps, such as Progress or Checkpoints. Its functions
+/// are:
+///   due(time)            whether the follower has to act at this time (s); cheap, called after each step
+///   after_step(solver)   acts if necessary; returns true to stop the run
 ///   begin(solver)        optional: called before the run
 template <class Follower, class S>
 concept FollowsRun = requires(Follower& follower, S const& solver) {
@@ -22,8 +23,8 @@ concept FollowsRun = requires(Follower& follower, S const& solver) {
 ///     Checkpoints checkpoints({.file = "checkpoint.h5"});
 ///     run_with(solver, 2.0, {every<S>(0.1, [&](S& now) { output.append(now); })}, progress, checkpoints);
 ///
-/// Observers act first, so that a checkpoint comes after the output of the same time. The run ends early if a follower
-/// stops it: then solver.time() is less than `until`. Throws as Solver::run() does.
+/// Observers act before followers, so that a checkpoint is written after the output of the same time. If a follower
+/// stops the run, it ends early, and solver.time() is less than `until`. Throws as Solver::run() does.
 template <class S, FollowsRun<S>... Followers>
 void run_with(S& solver, double until, typename S::Observers const& observers, Followers&... followers) {
   auto const begin = [&](auto& follower) {

@@ -7,26 +7,26 @@
 #include <algorithm>
 #include <cstring>
 
-// Numbers of a program in a snapshot of its solver, and comparison of the texts about the case.
+// Numbers that a program stores in a snapshot of its solver, and a comparison of the notes on the case.
 namespace scree {
 
-/// Adds numbers under a name.
+/// Adds numbers to a snapshot under a name.
 void add_numbers(Snapshot& snapshot, std::string const& name, std::vector<double> const& numbers);
-/// The numbers under a name; empty if there are none.
+/// Returns the numbers in a snapshot under a name, or an empty vector if there are none.
 std::vector<double> numbers_in(Snapshot const& snapshot, std::string const& name);
 
 namespace detail {
 
-/// Lines without comments (#) and blank lines, each after the [section] that it belongs to.
+/// Returns the lines of a text, without comments (#) and blank lines, each preceded by its [section].
 std::vector<std::string> lines_with_sections(std::string const& text);
 
 }  // namespace detail
 
-/// Notes of a snapshot: name and text.
+/// The notes of a snapshot: texts by name.
 using Notes = std::map<std::string, std::string>;
 
-/// The differences between the notes of a run and those of a checkpoint, line by line: "case: 'spacing = 0.04' of the
-/// checkpoint is missing", "case: 'spacing = 0.05' is new". Comments (#) and blank lines do not count; a line is
+/// Returns the differences between the notes of a checkpoint and of a run, line by line: "case: 'spacing = 0.04' of the
+/// checkpoint is missing", "case: 'spacing = 0.05' is new". Comments (#) and blank lines are ignored; a line is
 /// compared together with the [section] above it.
 std::vector<std::string> changes_of_notes(Notes const& checkpoint, Notes const& run);
 

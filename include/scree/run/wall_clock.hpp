@@ -9,12 +9,12 @@
 
 namespace scree {
 
-/// Seconds of a clock that never goes back.
+/// Returns the time (s) of a clock that never runs backwards.
 inline double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A time (s) as text: "1:02:03", or "2:03" below an hour.
+/// Returns a time (s) as text: "1:02:03", or "2:03" for less than an hour.
 inline std::string clock_text(double seconds) {
   auto const s = static_cast<long>(std::clamp(seconds, 0.0, 3.6e8) + 0.5);
   char text[40];

@@ -9,8 +9,8 @@ namespace scree {
 
 /// Constant V and D (Van der Vaart et al. 2015).
 struct ConstantClosure {
-  double velocity = 0;     ///< V
-  double diffusivity = 0;  ///< D
+  double velocity = 0;     ///< V, m/s
+  double diffusivity = 0;  ///< D, m^2/s
 
   using reads = Fields<>;
   using writes = Fields<SegregationVelocity, Diffusivity>;

@@ -8,7 +8,7 @@
 namespace scree {
 
 /// Constant speeds of N species along gravity, S_kl = v_k - v_l, and a constant D. In equilibrium the concentrations
-/// are $C_k = a_k \exp(v_k s/D)/\sum_l a_l \exp(v_l s/D)$ over the distance s along gravity.
+/// are $C_k = a_k \exp(v_k s/D)/\sum_l a_l \exp(v_l s/D)$ at the distance s along gravity.
 template <int N>
 struct ConstantSpecies {
   static constexpr int species = N;

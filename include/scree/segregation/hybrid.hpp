@@ -6,17 +6,18 @@
 #include "../terms/consistent_gradient.hpp"
 #include "transport.hpp"
 
-// The hybrid continuum surface reaction scheme (HCSR) of Zhu et al. (2024), section 4.2: zero flux through walls (CCSR,
-// from dummy particles) and through the free surface (MCSR, from the material itself) as volumetric sources near the
-// boundary. Three changes make it stable, see docs/theory/segregation.md: the gradient is that of the flux Q = V F, not
-// of C and V (the indirect form (2.10) causes the blow-up); psi = 1 replaces (4.14) and (4.18); the sources of walls
-// and free surface are added with the normals eliminated, so that corners need no special rule.
+// The hybrid continuum surface reaction scheme (HCSR) of Zhu et al. (2024), section 4.2. Volumetric sources near the
+// boundary impose zero flux through walls (CCSR, from dummy particles) and through the free surface (MCSR, from the
+// material itself). Three changes make the scheme stable, see docs/theory/segregation.md: the gradient of the flux Q =
+// V F is used instead of those of C and V (the indirect form (2.10) causes the blow-up); psi = 1 replaces (4.14) and
+// (4.18); the sources of walls and of the free surface are added after the normals are eliminated, so that corners need
+// no special rule.
 namespace scree {
 
-/// Q = V F, m/s.
+/// The segregation flux Q = V F, m/s.
 struct SegregationFluxValue : Scalar<"segregation flux", "m/s"> {};
 
-/// Contribution of the boundary to the rate of the concentration.
+/// The contribution of the boundary to the rate of the concentration, 1/s.
 struct BoundaryRate : Scalar<"boundary rate", "1/s"> {};
 
 namespace fields {
@@ -47,9 +48,10 @@ struct NearBoundary {
   }
 };
 
-/// $-\nabla_g Q$ near boundaries from the C1-consistent gradient, and the sources that compensate for the missing
-/// support: $q = 2 Q \hat g \cdot \sum_\text{walls} V \nabla W$ (CCSR), $q = -2 Q \hat g \cdot \sum_\text{material and
-/// walls} V \nabla W$ (MCSR). With n along the sum, both are (4.9) and (4.16) with $f = -Q n \cdot \hat g$.
+/// The rate near boundaries: $-\nabla_g Q$ from the C1-consistent gradient, and the sources that compensate for the
+/// missing support, $q = 2 Q \hat g \cdot \sum_\text{walls} V \nabla W$ (CCSR) and $q = -2 Q \hat g \cdot
+/// \sum_\text{material and walls} V \nabla W$ (MCSR). If the normal n points along the respective sum, these are (4.9)
+/// and (4.16) with $f = -Q n \cdot \hat g$.
 struct BoundaryFlux {
   double h;  ///< smoothing length, m
   GravityDirection down;
@@ -71,8 +73,8 @@ struct BoundaryFlux {
   }
 };
 
-/// $-\nabla_g Q$ inside, from the plain gradient, and diffusion everywhere: over the material only, so that nothing
-/// diffuses through walls and the free surface.
+/// The sum over pairs of material particles: diffusion everywhere and, in the interior, $-\nabla_g Q$ from the plain
+/// gradient. Because the sum excludes walls, nothing diffuses through them or through the free surface.
 struct InteriorTransport {
   GravityDirection down;
   using reads = Fields<Volume, Concentration, SegregationFluxValue, Diffusivity>;
@@ -89,7 +91,7 @@ struct InteriorTransport {
   }
 };
 
-/// The sum of both.
+/// Adds the rate from the boundary to the rate from the sum over pairs.
 struct AddBoundaryRate {
   using reads = Fields<BoundaryRate>;
   using writes = Fields<ConcentrationRate>;
@@ -102,8 +104,8 @@ struct AddBoundaryRate {
 
 }  // namespace hybrid
 
-/// Segregation and diffusion with the HCSR boundary treatment. Like the scheme of the paper it is not conservative and
-/// not strictly bounded.
+/// A scheme for segregation and diffusion with the HCSR boundary treatment. Like the scheme of the paper, it is neither
+/// conservative nor strictly bounded.
 template <class Closure>
 struct HybridSegregation {
   Closure closure = {};       ///< segregation velocity and diffusivity
@@ -113,19 +115,19 @@ struct HybridSegregation {
   static_assert(detail::explain_closure<Closure>());
   using evolves = Fields<Concentration>;
 
-  /// The passes of the transport and those of the shear rate. Without mechanics gravity acts against the last
-  /// coordinate, or as UnderGravity says.
+  /// Returns the passes of the transport, after those of the shear rate if the closure reads it, for a run without
+  /// mechanics. Gravity acts against the last coordinate, unless UnderGravity sets another one.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     static_assert(detail::explain_stress_of_closure<Closure>());
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
-  /// The passes of the transport with mechanics, which computes the shear rate and has the gravity.
+  /// Returns the passes of the transport with mechanics, which provides the shear rate and the gravity.
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
     static_assert(detail::explain_stress_of_closure<Closure, typename Mechanics::evolves>());
     return transport(resolution, gravity_of(mechanics));
   }
-  /// The passes of the transport where the shear rate is already known.
+  /// Returns the passes of the transport alone, for models in which other passes compute the shear rate.
   auto transport(Resolution const& resolution, Gravity const& gravity) const {
     using namespace hybrid;
     GravityDirection const down = gravity.direction();
@@ -145,19 +147,20 @@ struct HybridSegregation {
     flux.check();
     step.check();
   }
-  /// The warning of the closure.
+  /// Returns the warning of the closure; empty if it has none.
   std::string warning() const { return warning_of_closure(closure); }
-  /// The warning of the closure about the state that a body (WholeBody) has come to; empty if there is none.
+  /// Returns the warning of the closure about the present state of a body (WholeBody); empty if there is none.
   template <class Whole>
   std::string warning_of_state(Whole const& body) const requires detail::KnowsItsFit<Closure> {
     return warning_beyond_fit(closure, body);
   }
-  /// The limits of the step: of the flux and of the diffusion. Throws as check() does.
+  /// Returns the limits of the time step from segregation and from diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     return step.limits(resolution, flux);
   }
-  /// The scheme may leave the range, but must start within it.
+  /// Returns the bound on the state: concentrations must start within [0, 1] to 1e-3, and may then leave it by up to
+  /// 0.5.
   auto validity(Resolution const& resolution) const {
     return std::tuple(concentration_bound(resolution.steps == 0 ? 1e-3 : 0.5));
   }

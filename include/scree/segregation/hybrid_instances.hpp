@@ -5,8 +5,8 @@
 #include "../passes/over_lists.hpp"
 #include "hybrid.hpp"
 
-// The pair loops that the library scree::compiled has: those of hybrid segregation, and exact gradients of the fields
-// that its rate depends on, for diagnostics.
+// Pair loops that are compiled into the library scree::compiled: those of hybrid segregation and, for diagnostics,
+// those of the consistent gradients of the fields on which its rate depends.
 #ifdef SCREE_COMPILED_LOOPS
 namespace scree::detail {
 

@@ -6,7 +6,7 @@
 #include "../passes/over_lists.hpp"
 #include "conservative.hpp"
 
-// The sums over neighbours that the library scree::compiled has: those of conservative segregation.
+// Sums over neighbours that are compiled into the library scree::compiled: those of conservative segregation.
 #if defined(SCREE_COMPILED_LOOPS) && defined(SCREE_HAS_PACKS)
 namespace scree::detail {
 

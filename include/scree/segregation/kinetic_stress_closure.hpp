@@ -7,17 +7,18 @@
 
 namespace scree {
 
-/// N sizes of one density that share the kinetic stress of the flow in proportion to 1/d_k, so that grains of species k
-/// move along gravity at $c \dot\gamma (1/(d_k m) - 1)$ with $m = \sum_l C_l/d_l$ (after Marks et al. 2012): $S_{kl} =
-/// c \dot\gamma (1/d_k - 1/d_l)/m$; and $D = A \dot\gamma d^2$ with $d = \sum_k C_k d_k$. The length c was not fitted
-/// to any grains: it is yours. The kinetic stress is taken to rise along gravity in proportion to the shear rate.
+/// Grains of N sizes and one density that share the kinetic stress of the flow in proportion to 1/d_k (after Marks et
+/// al. 2012). Grains of species k move along gravity at $c \dot\gamma (1/(d_k m) - 1)$ with $m = \sum_l C_l/d_l$, so
+/// that $S_{kl} = c \dot\gamma (1/d_k - 1/d_l)/m$. The diffusivity is $D = A \dot\gamma d^2$ with $d = \sum_k C_k d_k$.
+/// The length c has not been fitted to any grains: you must choose it. The increase of the kinetic stress along gravity
+/// is assumed to be proportional to the shear rate.
 ///
 /// The equilibrium does not depend on the shear rate.
 template <int N>
 struct KineticStressClosure {
   static constexpr int species = N;
   Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m
-  double c = 0;                                       ///< m, above 0
+  double c = 0;                                       ///< length, m, above 0
   double A = 0.042;
 
   static constexpr int factors = 1;

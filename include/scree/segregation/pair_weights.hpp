@@ -9,19 +9,21 @@
 
 #include <numbers>
 
-// Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I, the basis of conservative
-// operators: sum_j V_j w_ij (f_i - f_j) is half of minus the Laplacian. See docs/theory/segregation.md.
+// Weights w_ij = w_ji of pairs of material particles with sum_j V_j w_ij x_ij (x) x_ij = I. Conservative operators are
+// based on them: sum_j V_j w_ij (f_i - f_j) approximates minus one half of the Laplacian of f. See
+// docs/theory/segregation.md.
 namespace scree {
 
-/// $\sum_j V_j f_{ij} x_{ij}$: zero where the neighbours are evenly distributed around i.
+/// The dipole $\sum_j V_j f_{ij} x_{ij}$, which is zero if the neighbours are evenly distributed around i.
 struct Dipole : Vector<"dipole of the neighbours", "m"> {};
-/// $\sum_j V_j f_{ij} x_{ij} \otimes x_{ij}$.
+/// The second moment $\sum_j V_j f_{ij} x_{ij} \otimes x_{ij}$.
 struct SecondMoment : Symmetric<"second moment of the neighbours", "m^2"> {};
-/// $\lambda_i$: reduces the dipole.
+/// The vector $\lambda_i$, which reduces the dipole of the weights.
 struct OddCorrection : Vector<"odd correction of the pair weights", "1/m"> {};
-/// $\sum_j V_j f_{ij} c_{ij} x \otimes x \otimes x \otimes x / r^2$, as an operator on symmetric tensors.
+/// The fourth moment $\sum_j V_j f_{ij} c_{ij} x \otimes x \otimes x \otimes x / r^2$, as an operator on symmetric
+/// tensors.
 struct FourthMoment : SymmetricOperator<"fourth moment of the neighbours", "m^2"> {};
-/// $A_i$: makes the second moment of the weights the identity.
+/// The tensor $A_i$, which makes the second moment of the weights the identity.
 struct EvenCorrection : Symmetric<"even correction of the pair weights", "1/m^2"> {};
 
 namespace fields {
@@ -34,14 +36,14 @@ inline constexpr EvenCorrection even_correction{};
 
 namespace pair_weights {
 
-/// Shape of the weights, $(1 - r/R)^4$ within the support R. The corrections set its scale; a sharper shape than the
-/// kernel's own slope has smaller errors next to walls and tolerates less disorder.
+/// Returns the shape $f_{ij} = (1 - r/R)^4$ of the weights within the support R. The corrections set its scale. A shape
+/// that is sharper than the slope of the kernel has smaller errors next to walls, but tolerates less disorder.
 template <class IJ>
 SCREE_FN auto shape(IJ const& ij) {
   return math::power<4>(1 - ij.r / ij.support());
 }
 
-/// $\sum_j f_{ij} r^2$ times volume over a full support of radius R, m^2.
+/// Returns $\sum_j V_j f_{ij} r^2$ over a full support of radius R, m^(Dim + 2).
 template <int Dim, class Real>
 SCREE_FN Real full_trace(Real R) {
   using std::numbers::pi;
@@ -51,7 +53,7 @@ SCREE_FN Real full_trace(Real R) {
     return Real(2 * pi / 315) * math::power<5>(R);
 }
 
-/// $c_{ij} = 1 + (\lambda_i - \lambda_j) \cdot x_{ij}$, kept positive.
+/// Returns $c_{ij} = 1 + (\lambda_i - \lambda_j) \cdot x_{ij}$, limited to 0.1 to 2, so that it is positive.
 template <class I, class J, class IJ>
 SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
   using namespace fields;
@@ -60,7 +62,7 @@ SCREE_FN auto odd_factor(I const& i, J const& j, IJ const& ij) {
   return min(Real(2), max(Real(0.1), 1 + dot(i[odd_correction] - j[odd_correction], ij.x)));
 }
 
-/// $w_{ij} = f_{ij} c_{ij} \hat x \cdot (A_i + A_j)/2 \hat x$, 1/m^2.
+/// Returns the weight $w_{ij} = f_{ij} c_{ij} \hat x \cdot (A_i + A_j)/2 \hat x$, m^-(Dim + 2).
 template <class I, class J, class IJ>
 SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
   using namespace fields;
@@ -68,7 +70,7 @@ SCREE_FN auto weight(I const& i, J const& j, IJ const& ij) {
   return shape(ij) * odd_factor(i, j, ij) * dot(A, square_of(ij.x)) / sq(ij.r);
 }
 
-/// The sums for the dipole and the second moment of the neighbours.
+/// The sums for the dipole and for the second moment of the neighbours.
 struct DisorderSums {
   using reads = Fields<Volume>;
   using adds = Fields<Dipole, SecondMoment>;
@@ -82,10 +84,11 @@ struct DisorderSums {
   }
 };
 
-/// One damped step towards weights without a dipole: lambda = -0.8 M^{-1} E with the isotropic part of M. Zero where
-/// part of the support is empty, because the dipole there does not come from disorder.
+/// Computes the odd correction in one damped step towards weights without a dipole: lambda = -0.8 M^{-1} E with the
+/// dipole E and the isotropic part of the second moment M. The correction is zero if part of the support is empty,
+/// because the dipole is then not due to disorder.
 struct SolveOddCorrection {
-  double radius;  ///< of the support, m
+  double radius;  ///< radius of the support, m
   using reads = Fields<>;
   using writes = Fields<OddCorrection>;
   template <class I, class T, class O>
@@ -113,11 +116,12 @@ struct FourthMomentSum {
   }
 };
 
-/// Solves M : A = I. The relative deviation of A from the isotropic solution is limited to 0.8, so that all weights are
-/// positive: in a corner, where all neighbours are in one quadrant, no positive weights have the right second moment.
-/// The isotropic solution itself is bounded for particles that are nearly alone.
+/// Computes the even correction A from M : A = I with the fourth moment M. The relative deviation of A from the
+/// isotropic solution is limited to 0.8, so that all weights are positive: in a corner, where all neighbours are in one
+/// quadrant, no positive weights have the right second moment. The isotropic solution itself is bounded for particles
+/// that have almost no neighbours.
 struct SolveEvenCorrection {
-  double radius;  ///< of the support, m
+  double radius;  ///< radius of the support, m
   using reads = Fields<>;
   using writes = Fields<EvenCorrection>;
   template <class I, class T, class O>
@@ -138,7 +142,7 @@ struct SolveEvenCorrection {
   }
 };
 
-/// The passes that compute both corrections. Walls, if any, fill the support for the odd one only.
+/// Returns the passes that compute both corrections. Walls, if any, fill the support for the odd correction only.
 inline auto passes(Resolution const& resolution) {
   return std::tuple(pair_pass_then<Material>("scree::odd_correction", SolveOddCorrection{resolution.support},
                                              over<Material>(DisorderSums{}), over<Wall>(DisorderSums{})),

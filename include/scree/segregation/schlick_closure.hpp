@@ -9,10 +9,11 @@
 
 namespace scree {
 
-/// $V = S \dot\gamma d_S \ln(d_L/d_S)$ and $D = A \dot\gamma d_{\mathrm{avg}}^2$ with d_avg = d_S C + d_L (1 - C), for
-/// the symmetric flux. S = 0.26 comes from simulations of bounded heaps with spheres of one density and ratios d_L/d_S
-/// of 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8); outside of these a solver warns. A = 0.042 is the value
-/// that published programs use with it. It is SizeRatioClosure for two sizes.
+/// Grains of two sizes and one density: $V = S \dot\gamma d_S \ln(d_L/d_S)$ and $D = A \dot\gamma d_{\mathrm{avg}}^2$
+/// with d_avg = d_S C + d_L (1 - C), for the symmetric flux. S = 0.26 comes from simulations of bounded heaps of
+/// spheres with ratios d_L/d_S of 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8); a solver warns if the ratio
+/// is above 3. A = 0.042 is the value that published programs use with this S. SizeRatioClosure for two sizes is the
+/// same model.
 ///
 /// The equilibrium does not depend on the shear rate: over the height z, $d_L^2 \ln C - d_S^2 \ln(1 - C) - (d_L -
 /// d_S)^2 C = -(S/A) d_S \ln(d_L/d_S) z + \text{const}$.
@@ -37,7 +38,7 @@ struct SchlickClosure {
     check_parameters(*this, "SchlickClosure");
     check_setting(d_large >= d_small, "d_large (m) of SchlickClosure", d_large, "`d_small` or more");
   }
-  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it.
+  /// Returns a warning if the size ratio is beyond the range to which S was fitted; otherwise an empty text.
   std::string warning() const { return warning_of_size_ratio("SchlickClosure", d_large / d_small, 3); }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {

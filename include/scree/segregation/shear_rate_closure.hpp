@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// $V = \chi_V \dot\gamma d_{\mathrm{avg}}$, $D = \chi_D \dot\gamma d_{\mathrm{avg}}^2$ with d_avg = d_S C + d_L (1 -
-/// C): Zhu et al. (2024), eq. 2.7.
+/// V and D in proportion to the shear rate: $V = \chi_V \dot\gamma d_{\mathrm{avg}}$, $D = \chi_D \dot\gamma
+/// d_{\mathrm{avg}}^2$ with d_avg = d_S C + d_L (1 - C) (Zhu et al. 2024, eq. 2.7).
 struct ShearRateClosure {
   double chi_V = 0.11;
   double chi_D = 0.0307;

@@ -12,16 +12,16 @@ namespace scree {
 
 /// N species that differ in size and density: $S_{kl} = \dot\gamma [S \min(d_k, d_l) \ln(d_l/d_k) + S_\rho d
 /// \ln(\rho_k/\rho_l)]$ and $D = A \dot\gamma d^2$ with $d = \sum_k C_k d_k$. Small and heavy grains move along
-/// gravity. The first part is that of SizeRatioClosure. That grains which differ in both segregate in proportion to the
-/// shear rate, and change their direction with the mixture, was found in simulations (Duan et al. 2020, abstract); the
-/// form of the second part is not confirmed, and its factor is yours. A mixture whose mean diameter is $d = (S/S_\rho)
-/// \min(d_k, d_l) \ln(d_l/d_k)/\ln(\rho_l/\rho_k)$ of two species does not segregate.
+/// gravity. The first term of S_kl is that of SizeRatioClosure. In simulations, grains that differ in both size and
+/// density segregate in proportion to the shear rate, and their direction depends on the mixture (Duan et al. 2020,
+/// abstract). The form of the second term is not confirmed, and you must choose its factor S_rho. A mixture of two
+/// species does not segregate if its mean diameter is $d = (S/S_\rho) \min(d_k, d_l) \ln(d_l/d_k)/\ln(\rho_l/\rho_k)$.
 template <int N>
 struct SizeDensityClosure {
   static constexpr int species = N;
   Vec<N, double> diameters = zero<Vec<N, double>>();  ///< d_k, m
   Vec<N, double> densities = zero<Vec<N, double>>();  ///< rho_k, kg/m^3; only their ratios matter
-  double S_density = 0;                               ///< S_rho, -, above 0
+  double S_density = 0;                               ///< S_rho, dimensionless, above 0
   double S = 0.26;
   double A = 0.042;
 
@@ -36,7 +36,7 @@ struct SizeDensityClosure {
     check_setting(S_density > 0 && std::isfinite(S_density), "S_density of SizeDensityClosure", S_density,
                   "above 0; it has no default, because no published value was read");
   }
-  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it.
+  /// Returns a warning if the size ratio is beyond the range to which S was fitted; otherwise an empty text.
   std::string warning() const { return of_sizes().warning("S of SizeDensityClosure"); }
   template <class I, class O>
   SCREE_FN void operator()(I const& i, O& out) const {

@@ -10,17 +10,17 @@
 
 namespace scree {
 
-/// `factor` times $\min(d_k, d_l) \ln(d_l/d_k)$: the speed along gravity at which grains of diameter d_k (m) move
-/// through those of d_l by their sizes alone, m/s if the factor is in 1/s.
+/// Returns `factor` times $\min(d_k, d_l) \ln(d_l/d_k)$: the speed along gravity at which grains of diameter d_k (m)
+/// move through grains of diameter d_l (m) because of their sizes alone; m/s if the factor is in 1/s.
 SCREE_FN double speed_of_sizes(double factor, double d_k, double d_l) {
   return factor * Kokkos::min(d_k, d_l) * Kokkos::log(d_l / d_k);
 }
 
-/// N sizes of one density, by their ratios: $S_{kl} = S \dot\gamma \min(d_k, d_l) \ln(d_l/d_k)$ and $D = A \dot\gamma
-/// d^2$ with $d = \sum_k C_k d_k$. The smaller species of a pair moves along gravity. S = 0.26 comes from simulations
-/// of bounded heaps with two sizes whose ratio is 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8). Each pair of
-/// more than two sizes segregates as in a mixture of two (Deng et al. 2018). A = 0.042 is the value that published
-/// programs use with it.
+/// Grains of N sizes and one density: $S_{kl} = S \dot\gamma \min(d_k, d_l) \ln(d_l/d_k)$ and $D = A \dot\gamma d^2$
+/// with $d = \sum_k C_k d_k$. The smaller species of a pair moves along gravity. S = 0.26 comes from simulations of
+/// bounded heaps with two sizes whose ratio is 1 to 3 (Schlick et al. 2015; Zhu et al. 2024, eq. 5.8). In mixtures of
+/// more than two sizes, each pair segregates as in a mixture of two (Deng et al. 2018). A = 0.042 is the value that
+/// published programs use with this S.
 template <int N>
 struct SizeRatioClosure {
   static constexpr int species = N;
@@ -32,14 +32,14 @@ struct SizeRatioClosure {
   using factors_of = SizeRatioClosure;
   using reads = Fields<Concentrations<N>, ShearRate>;
   using writes = Fields<SegregationVelocities<N>, Diffusivity>;
-  /// Throws std::invalid_argument if a parameter is out of range; `model` is the one that has them.
+  /// Throws std::invalid_argument if a parameter is out of range; the message names `model`.
   void check(char const* model = "SizeRatioClosure") const {
     check_diameters<N>(diameters, model);
     check_setting(S >= 0 && std::isfinite(S), detail::formatted("S of %s", model).c_str(), S, "0 or more");
     check_setting(A >= 0 && std::isfinite(A), detail::formatted("A of %s", model).c_str(), A, "0 or more");
   }
-  /// A warning for a ratio of sizes outside of the range that S was fitted to; empty within it. The text
-  /// names `model`.
+  /// Returns a warning, which names `model`, if the size ratio is beyond the range to which S was fitted; otherwise an
+  /// empty text.
   std::string warning(char const* model = "SizeRatioClosure") const {
     double least = diameters[0], largest = diameters[0];
     for (int k = 1; k < N; ++k) least = std::min(least, diameters[k]), largest = std::max(largest, diameters[k]);

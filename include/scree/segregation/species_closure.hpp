@@ -13,8 +13,8 @@ namespace scree {
 template <int N>
 inline constexpr int pairs_of_species = N*(N - 1) / 2;
 
-/// S_kl for the pairs k < l in the order 01, 02, ..., 12, ...: the speed along gravity at which grains of species k
-/// move through those of species l. The flux of k is $C_k \sum_l S_{kl} C_l$, with S_lk = -S_kl.
+/// The speeds S_kl along gravity at which grains of species k move through those of species l, for the pairs k < l in
+/// the order 01, 02, ..., 12, .... The flux of species k is $C_k \sum_l S_{kl} C_l$, with S_lk = -S_kl.
 template <int N>
 struct SegregationVelocities : Labelled<"segregation velocities", "m/s"> {
   template <int Dim, class Real>
@@ -26,7 +26,7 @@ template <int N>
 inline constexpr SegregationVelocities<N> segregation_velocities{};
 }  // namespace fields
 
-/// A function of one particle that writes S_kl of N species, and D, which all species share.
+/// A function of one particle that writes the speeds S_kl of N species and the diffusivity D, which all species share.
 ///   species   N, an int
 template <class C, class P>
 concept SpeciesClosure = PointFunction<C, P> && requires {
@@ -47,16 +47,16 @@ constexpr bool explain_species_closure() {
 }  // namespace detail
 
 /// A SpeciesClosure whose velocities are sums of a few factors of the particle times constants of the pair of species,
-/// $S_{kl} = \sum_m f_m s_{kl,m}$. Particles of three species or more then store the factors (SegregationFactors) in
-/// place of the velocities if these are more, and pairs of particles take less time. In addition to operator(), which
-/// gives the same velocities, it has
+/// $S_{kl} = \sum_m f_m s_{kl,m}$. If there are fewer factors than velocities, which takes three species or more,
+/// particles store the factors (SegregationFactors) instead of the velocities, and loops over pairs of particles are
+/// faster. In addition to operator(), which gives the same velocities, it has
 ///   factors                M, an int
 ///   factors_of             the class itself: a class derived from it, whose operator() may differ, has no factors
 ///                          unless it names itself
 ///   factors_at(i)          f_m of a particle, a Vec<M, double>
 ///   diffusivity_at(i)      D of a particle, m^2/s
-///   speeds_of_pair(k, l)   s_kl,m of the species k < l, a Vec<M, double>; f_m s_kl,m is in m/s. Called on the host,
-///                          and on the device if operator() calls write_velocities()
+///   speeds_of_pair(k, l)   s_kl,m of the species k < l, a Vec<M, double>; f_m s_kl,m is in m/s. It is called on the
+///                          host, and also on the device if operator() calls write_velocities()
 template <class C>
 concept FactoredClosure = requires(C const& closure, Record<detail::AnyPoint, reads_of<C>> const& i) {
   requires C::factors >= 1;
@@ -105,14 +105,15 @@ SCREE_LOOP_FN void visit_pairs_of_species(Visit const& visit) {
 }
 }  // namespace detail
 
-/// Calls visit(k, l, pair) for all pairs of N species, k < l, in the order of SegregationVelocities. The numbers are
-/// constants of the compiler, std::integral_constant: the values that they select stay in registers.
+/// Calls visit(k, l, pair) for all pairs k < l of N species in the order of SegregationVelocities. The arguments are
+/// compile-time constants (std::integral_constant), so that the values that they select stay in registers.
 template <int N, class Visit>
 SCREE_LOOP_FN void for_each_pair_of_species(Visit const& visit) {
   detail::visit_pairs_of_species<N, 0, 1, 0>(visit);
 }
 
-/// Writes what operator() of a closure with factors writes, from its factors and its other parts.
+/// Writes the velocities and the diffusivity of a closure with factors, computed from factors_at(), speeds_of_pair()
+/// and diffusivity_at().
 template <FactoredClosure Closure, class I, class O>
 SCREE_FN void write_velocities(Closure const& closure, I const& i, O& out) {
   using namespace fields;

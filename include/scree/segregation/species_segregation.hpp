@@ -8,11 +8,11 @@
 #include "species_velocities.hpp"
 #include "transport.hpp"
 
-// Conservative segregation and diffusion of N species: one flux per pair of material particles and pair of species. See
-// docs/theory/segregation.md.
+// Conservative segregation and diffusion of N species, with one flux per pair of material particles and pair of
+// species. See docs/theory/segregation.md.
 namespace scree {
 
-/// ln C_k.
+/// The logarithms ln C_k of the concentrations.
 template <int N>
 struct LogarithmsOfConcentrations : PerSpecies<N, "logarithms of concentrations", "1"> {};
 
@@ -37,22 +37,23 @@ struct TakeLogarithms {
   }
 };
 
-/// The logarithmic mean (a - b)/(ln a - ln b) of two products that are not negative, from a - b, a, and the difference
-/// of their logarithms. 0 if one of them is 0, and not a number if the difference of the logarithms is none.
+/// Returns the logarithmic mean (a - b)/(ln a - ln b) of two non-negative products a and b, given a - b, a and ln a -
+/// ln b; 0 if one of the products is 0, and NaN if the difference of the logarithms is NaN.
 template <class Real>
 SCREE_LOOP_FN Real logarithmic_mean(Real const& difference, Real const& a, Real const& difference_of_logarithms) {
   using namespace math;
-  // Below this the division loses digits and the arithmetic mean agrees with it to second order in the difference.
+  // Below this threshold the division loses digits, and the arithmetic mean agrees with its result to second order in
+  // the difference.
   Real const threshold = std::is_same_v<number_in<Real>, double> ? 1e-5 : 1e-3;
   auto const alike = magnitude(difference_of_logarithms) <= threshold;
   return select(alike, a - difference / 2, ratio(difference, difference_of_logarithms));
 }
 
-/// $dC_{k,i}/dt = -\sum_j V_j w_{ij} \sum_{l \ne k} ((D_i + D_j)(a - b) - (S_{kl,i} + S_{kl,j}) M_{kl} \hat g \cdot
-/// x_{ij})$ with the products $a = C_{k,i} C_{l,j}$ and $b = C_{k,j} C_{l,i}$ and their logarithmic mean M_kl. Each
-/// term is antisymmetric in k and l, so that the sum of all C_k stays 1, and in i and j, so that the mean of each C_k
-/// stays. With N = 2 it is PairTransport for the symmetric flux. `Velocities` gives S_kl, `Carries` adds what the
-/// exchanged volumes carry.
+/// The rates $dC_{k,i}/dt = -\sum_j V_j w_{ij} \sum_{l \ne k} ((D_i + D_j)(a - b) - (S_{kl,i} + S_{kl,j}) M_{kl} \hat g
+/// \cdot x_{ij})$ with the products $a = C_{k,i} C_{l,j}$ and $b = C_{k,j} C_{l,i}$ and their logarithmic mean M_kl.
+/// Each term is antisymmetric in k and l, so that the sum of all C_k stays 1, and in i and j, so that the mean of each
+/// C_k is conserved. For N = 2 this is PairTransport with the symmetric flux. `Velocities` provides S_kl; `Carries`
+/// adds what the exchanged volumes carry.
 template <int N, class Carries = CarriesNothing, class Velocities = StoredVelocities<N>>
 struct SpeciesTransport {
   GravityDirection down;
@@ -81,14 +82,14 @@ struct SpeciesTransport {
       // The giver gives grains of species k and takes grains of species l.
       auto const from_j = drift > 0;
       auto const available = select(from_j, b, a), opposite = select(from_j, a, b);
-      // Where a species is absent, the mean is no number and nothing is available.
+      // The mean is NaN only if a = b = 0, and then nothing is available.
       auto const mean = smaller(logarithmic_mean(a - b, a, logarithms[k] - logarithms[l]), 4 * available);
-      // In a shock the giver has fewer grains of species k, relative to those of l, than the taker.
+      // In a shock the ratio of species k to species l is lower in the giver than in the taker.
       auto const shock = available < opposite;
       auto const in_shock = smaller(Ci[k] * Ci[l], Cj[k] * Cj[l]);
       auto const in_fan = smaller(between[k] * between[l], available);
       auto const smooth = drift * mean - D * (a - b), sharp = drift * select(shock, in_shock, in_fan);
-      // The one that brings both mixtures closer to each other.
+      // The chosen flux is the one that brings both mixtures closer to each other.
       auto const sharp_is_closer = (sharp < smooth) == (shock == from_j);
       auto const of_k = select(sharp_is_closer, sharp, smooth);
       exchange[k] += of_k;
@@ -100,26 +101,27 @@ struct SpeciesTransport {
   }
 };
 
-/// Segregation and diffusion of N species without flux through any boundary of the material: conservative, bounded, and
-/// with concentrations that add up to 1. For two species of grains use ConservativeSegregation, which stores one number
-/// instead of two.
+/// A conservative and bounded scheme for segregation and diffusion of N species without flux through any boundary of
+/// the material. The concentrations add up to 1. For two species use ConservativeSegregation, which stores one number
+/// per particle instead of two.
 template <class Closure>
 struct SpeciesSegregation {
   static constexpr int species = Closure::species;
-  static constexpr bool carries_momentum = true;  ///< with the mass of species of different densities
+  static constexpr bool carries_momentum = true;  ///< species of different densities carry momentum with their mass
   Closure closure = {};                           ///< velocities of pairs of species, and diffusivity
   TransportStep step = {};                        ///< limits of the time step
 
   static_assert(detail::explain_species_closure<Closure>() && detail::explain_factors<Closure>());
   using evolves = Fields<Concentrations<species>>;
 
-  /// Grains segregate along the gravity of the mechanics. Without mechanics it acts against the last coordinate, or as
-  /// UnderGravity says.
+  /// Returns the passes of the transport, after those of the shear rate if the closure reads it, for a run without
+  /// mechanics. Gravity acts against the last coordinate, unless UnderGravity sets another one.
   auto passes(Resolution const& resolution, Gravity const& gravity = {}) const {
     static_assert(detail::explain_stress_of_closure<Closure>());
     return std::tuple_cat(shear_rate_passes<Closure>(), transport(resolution, gravity));
   }
-  /// The passes with mechanics, which computes the shear rate and has the gravity.
+  /// Returns the passes of the transport with mechanics, which provides the shear rate and the gravity along which
+  /// grains segregate.
   template <class Mechanics>
   auto passes_with(Mechanics const& mechanics, Resolution const& resolution) const {
     static_assert(detail::explain_stress_of_closure<Closure, typename Mechanics::evolves>());
@@ -131,7 +133,8 @@ struct SpeciesSegregation {
     else
       return transport(resolution, gravity_of(mechanics));
   }
-  /// The passes where the shear rate is already known; `carries` adds what the exchanged volumes carry.
+  /// Returns the passes of the transport alone, for models in which other passes compute the shear rate; `carries` adds
+  /// what the exchanged volumes carry.
   template <class Carries = CarriesNothing>
   auto transport(Resolution const& resolution, Gravity const& gravity, Carries const& carries = {}) const {
     auto const of_gravity = closure_under(closure, gravity);
@@ -148,14 +151,14 @@ struct SpeciesSegregation {
     check_settings_of(closure);
     step.check();
   }
-  /// The warning of the closure.
+  /// Returns the warning of the closure; empty if it has none.
   std::string warning() const { return warning_of_closure(closure); }
-  /// The limits of the step: of the fastest species and of the diffusion. Throws as check() does.
+  /// Returns the limits of the time step from the fastest species and from diffusion. Throws as check() does.
   auto limits(Resolution const& resolution) const {
     check();
     return step.limits(resolution, velocities_of(closure));
   }
-  /// The bound on the state: the concentrations of a particle stay those of a mixture.
+  /// Returns the bound on the state: the concentrations of a particle remain those of a mixture.
   auto validity(Resolution const&) const { return std::tuple(mixture_bound<species>()); }
 };
 

@@ -7,11 +7,11 @@
 
 #include <type_traits>
 
-// Where the velocities S_kl of the species come from: from the particles, or from factors of the particles and
+// Two sources of the velocities S_kl of species: values stored for each particle, or factors of the particles times
 // constants of the pairs of species.
 namespace scree {
 
-/// f_m of a closure that has factors, see FactoredClosure.
+/// The factors f_m of a closure that has factors, see FactoredClosure.
 template <int M>
 struct SegregationFactors : Labelled<"segregation factors", "of the closure"> {
   template <int Dim, class Real>
@@ -23,18 +23,18 @@ template <int M>
 inline constexpr SegregationFactors<M> segregation_factors{};
 }  // namespace fields
 
-/// Velocities that particles store.
+/// The velocities S_kl as stored for each particle.
 template <int N>
 struct StoredVelocities {
   using reads = Fields<SegregationVelocities<N>>;
-  /// S_kl of both particles together times a distance along gravity, m^2/s; `pair` is the number of the species k and
-  /// l.
+  /// Returns the sum of S_kl of both particles times a distance along gravity, m^2/s; `pair` is the index of the pair
+  /// of species k and l.
   template <class I, class J, class Real, class Pair>
   SCREE_LOOP_FN auto drift(I const& i, J const& j, Real const& along, Pair pair) const {
     using namespace fields;
     return (i[segregation_velocities<N>][pair] + j[segregation_velocities<N>][pair]) * along;
   }
-  /// The largest |S_kl| of a particle, m/s: no species is faster than $\sum_l S_{kl} C_l$.
+  /// Returns the largest |S_kl| of a particle, m/s, a bound on the speed $\sum_l S_{kl} C_l$ of every species.
   template <class I>
   SCREE_FN auto operator()(I const& i) const {
     auto const S = i[fields::segregation_velocities<N>];
@@ -44,7 +44,7 @@ struct StoredVelocities {
   }
 };
 
-/// Velocities from M factors of the particles, $S_{kl} = \sum_m f_m s_{kl,m}$.
+/// The velocities $S_{kl} = \sum_m f_m s_{kl,m}$, computed from M factors stored for each particle.
 template <int N, int M>
 class VelocitiesFromFactors {
   static constexpr int pairs = pairs_of_species<N>;
@@ -53,7 +53,7 @@ class VelocitiesFromFactors {
  public:
   using reads = Fields<SegregationFactors<M>>;
 
-  /// The constants s_kl,m of a closure.
+  /// Stores the constants s_kl,m of a closure.
   template <class Closure>
   explicit VelocitiesFromFactors(Closure const& closure) {
     for (int k = 0, pair = 0; k < N; ++k)
@@ -62,8 +62,8 @@ class VelocitiesFromFactors {
         for (int m = 0; m < M; ++m) s_.set(m * pairs + pair, s[m]);
       }
   }
-  /// S_kl of both particles together times a distance along gravity, m^2/s; `pair` is the number of the species k and
-  /// l.
+  /// Returns the sum of S_kl of both particles times a distance along gravity, m^2/s; `pair` is the index of the pair
+  /// of species k and l.
   template <class I, class J, class Real, class Pair>
   SCREE_LOOP_FN auto drift(I const& i, J const& j, Real const& along, Pair pair) const {
     using namespace fields;
@@ -73,7 +73,7 @@ class VelocitiesFromFactors {
     for (int m = 1; m < M; ++m) sum += (f_i[m] + f_j[m]) * along * s_.template of<Real>(m * pairs + pair);
     return sum;
   }
-  /// The largest |S_kl| of a particle, m/s.
+  /// Returns the largest |S_kl| of a particle, m/s.
   template <class I>
   SCREE_FN auto operator()(I const& i) const {
     auto const f = i[fields::segregation_factors<M>];
@@ -105,14 +105,14 @@ struct WriteFactors {
 };
 
 namespace detail {
-/// Whether the particles of a closure store fewer numbers with factors than with velocities.
+/// Whether particles store the factors of a closure, because there are fewer factors than velocities.
 template <class Closure>
 inline constexpr bool stores_factors = false;
 template <FactoredClosure Closure>
 inline constexpr bool stores_factors<Closure> = Closure::factors < pairs_of_species<Closure::species>;
 }  // namespace detail
 
-/// The function of a particle that writes what the transport reads of a closure.
+/// Returns the function of a particle that writes the fields that the transport reads from a closure.
 template <class Closure>
 auto function_of_species_closure(Closure const& closure) {
   if constexpr (detail::stores_factors<Closure>)
@@ -120,7 +120,8 @@ auto function_of_species_closure(Closure const& closure) {
   else
     return closure;
 }
-/// The velocities of the species of a closure: between two particles and, as a function of a particle, the largest.
+/// Returns an object that computes the velocities of species for a closure, with drift() for two particles and with
+/// operator() for the largest |S_kl| of one particle.
 template <class Closure>
 auto velocities_of(Closure const& closure) {
   if constexpr (detail::stores_factors<Closure>)

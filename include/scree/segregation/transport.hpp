@@ -12,10 +12,10 @@
 #include "closure.hpp"
 #include "flux.hpp"
 
-// Shared by all transport schemes of the concentration.
+// Parts that all transport schemes of the concentration share.
 namespace scree {
 
-/// The pass that computes the shear rate, if a closure needs it and no other pass computes it.
+/// Returns the pass that computes the shear rate if a closure reads it, for models in which no other pass computes it.
 template <class Closure>
 auto shear_rate_passes() {
   if constexpr (OneOf<ShearRate, reads_of<Closure>>)
@@ -25,7 +25,7 @@ auto shear_rate_passes() {
     return std::tuple<>();
 }
 
-/// The distance of a concentration from [0, 1].
+/// The distance of the concentration of a particle from the interval [0, 1].
 struct ConcentrationOutside {
   using reads = Fields<Concentration>;
   template <class I>
@@ -34,14 +34,14 @@ struct ConcentrationOutside {
     return Kokkos::max(decltype(C + C)(0), Kokkos::max(-C, C - 1));
   }
 };
-/// The bound of a scheme whose concentrations may lie outside of 0 to 1 by `most`.
+/// Returns the bound of a scheme whose concentrations may be outside [0, 1] by up to `most`.
 inline auto concentration_bound(double most) {
   return bound("distance of the concentration from [0, 1]", ConcentrationOutside{}, most,
                "it is the share of the small grains, 0 to 1");
 }
 
-/// Explicit limits of transport: dt <= diffusion $h^2/\max D$ and dt <= segregation h/(A max V); they also hold where
-/// the motion is prescribed.
+/// Limits of the explicit time step of the transport: dt <= diffusion $h^2/\max D$ and dt <= segregation h/(A max V).
+/// They also apply if the motion is prescribed.
 struct TransportStep {
   double diffusion = 0.1;
   double segregation = 0.1;
@@ -53,7 +53,8 @@ struct TransportStep {
   }
   /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "TransportStep"); }
-  /// The limits of the step for grains that segregate at `amplitude` times a measured speed (m/s).
+  /// Returns the limits of the time step for grains that segregate at `amplitude` times `speed` (m/s), a function of a
+  /// particle.
   template <class Speed>
   auto limits(Resolution const& resolution, Speed const& speed, double amplitude = 1) const {
     double const h = resolution.smoothing_length;

@@ -14,9 +14,10 @@ namespace scree {
 
 /// V = $B \hat\rho \dot\gamma d^2 [(R - 1) + E (1 - C)(R - 1)^2]/(C_p d + p/(\rho_s g))$ and $D = A \dot\gamma d^2$
 /// with d = d_S C + d_L (1 - C), R = d_L/d_S and the pressure p of the stress, for the symmetric flux (Trewhela et al.
-/// 2021, eq. 4.9): grains segregate more slowly under a load. It comes from single large and small beads in an
-/// oscillating shear cell, with R of 1.17 to 4.17; Zhao et al. (2025) find by discrete elements that it holds for
-/// inertial numbers of 0.01 to 0.1. A solver warns outside of both.
+/// 2021, eq. 4.9). Grains segregate more slowly under a load. The closure was fitted to experiments with single large
+/// and small beads in an oscillating shear cell with R of 1.17 to 4.17; in discrete element simulations, Zhao et al.
+/// (2025) find that it holds for inertial numbers of 0.01 to 0.1. A solver warns if R is above 4.17 or if inertial
+/// numbers are outside this range.
 ///
 /// The experiment used beads in a liquid, with $B \hat\rho = 0.3744$. Their relative buoyancy $\hat\rho = 0.5255$ gives
 /// B = 0.7125 for dry grains. docs/theory/segregation.md lists which of these numbers are not confirmed.
@@ -27,9 +28,9 @@ struct TrewhelaClosure {
   double E = 2.0957;
   double d_small = 0;
   double d_large = 0;
-  double grain_density = 2500;  ///< rho_s
+  double grain_density = 2500;  ///< rho_s, kg/m^3
   double buoyancy = 1;          ///< (rho_s - rho_f)/rho_s with the density of the fluid between the grains, rho_f
-  double gravity = 9.81;        ///< g, m/s^2; a scheme replaces it by that of its mechanics
+  double gravity = 9.81;        ///< g, m/s^2; a scheme replaces it with the gravity of its mechanics
 
   using reads = Fields<Concentration, ShearRate, Stress>;
   using writes = Fields<SegregationVelocity, Diffusivity>;
@@ -54,23 +55,23 @@ struct TrewhelaClosure {
     check_parameters(*this, "TrewhelaClosure");
     check_setting(d_large >= d_small, "d_large (m) of TrewhelaClosure", d_large, "`d_small` or more");
   }
-  /// The closure for another gravity.
+  /// Returns a copy of the closure for another gravity.
   TrewhelaClosure under(Gravity const& of_mechanics) const {
     auto changed = *this;
     changed.gravity = std::abs(of_mechanics.magnitude);
     return changed;
   }
-  /// A warning for a ratio of sizes beyond those of the experiments; empty within.
+  /// Returns a warning if the size ratio is above those of the experiments; otherwise an empty text.
   std::string warning() const { return warning_of_size_ratio("TrewhelaClosure", d_large / d_small, 4.17); }
-  /// Whether the inertial number $\dot\gamma d/\sqrt{p/\rho_s}$ of a particle is 0.01 to 0.1.
+  /// Whether the inertial number $\dot\gamma d/\sqrt{p/\rho_s}$ of a particle is between 0.01 and 0.1.
   template <class I>
   SCREE_FN bool holds_at(I const& i) const {
     double const moved = double(i[fields::shear_rate]) * mean_diameter(i);
     double const square = moved * moved * grain_density, p = pressure(i);
     return square >= 1e-4 * p && square <= 1e-2 * p;
   }
-  /// The warning where more than half of the segregation takes place at other inertial numbers, once it has moved
-  /// grains by a diameter.
+  /// Returns a warning if more than half of the segregation takes place at other inertial numbers and grains have moved
+  /// by more than a large diameter; otherwise an empty text.
   [[gnu::cold]] std::string warning_beyond(double share, double way) const {
     if (!(share > 0.5 && way > d_large)) return "";
     return detail::formatted(
@@ -95,7 +96,7 @@ struct TrewhelaClosure {
     double const small = double(i[fields::concentration]);
     return d_small * small + d_large * (1 - small);
   }
-  /// The pressure, Pa; 0 under tension.
+  /// Returns the pressure, Pa; 0 under tension.
   template <class I>
   SCREE_FN static double pressure(I const& i) {
     return Kokkos::max(0.0, double(pressure_of(unpacked(i[fields::stress]))));

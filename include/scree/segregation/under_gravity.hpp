@@ -8,12 +8,12 @@
 
 namespace scree {
 
-/// Segregation without mechanics, for a prescribed motion, with a gravity of its own. With mechanics,
-/// SegregatingGranular passes the gravity of the mechanics.
+/// A segregation model with a gravity of its own, for a prescribed motion without mechanics. In a combination with
+/// mechanics, SegregatingGranular passes the gravity of the mechanics to the segregation.
 template <class Segregation>
 struct UnderGravity {
-  Segregation segregation = {};  ///< the model whose gravity this is
-  Gravity gravity = {};          ///< only its direction matters
+  Segregation segregation = {};  ///< the model of the segregation
+  Gravity gravity = {};          ///< its magnitude matters only to closures with under()
 
   using evolves = typename Segregation::evolves;
 
@@ -22,20 +22,21 @@ struct UnderGravity {
     check_settings_of(segregation);
     gravity.check();
   }
-  /// The warning of the closure; empty if there is none.
+  /// Returns the warning of the segregation; empty if there is none.
   std::string warning() const requires requires(Segregation const& each) { each.warning(); }
   { return segregation.warning(); }
-  /// The warning of the segregation about the state that a body (WholeBody) has come to; empty if there is none.
+  /// Returns the warning of the segregation about the present state of a body (WholeBody); empty if there is none.
   template <class Whole>
   std::string warning_of_state(Whole const& body) const requires requires(Segregation const& each) {
     each.warning_of_state(body);
   }
   { return segregation.warning_of_state(body); }
-  /// The passes of the segregation under this gravity.
+  /// Returns the passes of the segregation under this gravity.
   auto passes(Resolution const& resolution) const { return segregation.passes(resolution, gravity); }
-  /// The limits of the step of the segregation. Throws as those do.
+  /// Returns the limits of the time step of the segregation. Throws as segregation.limits() does.
   auto limits(Resolution const& resolution) const { return segregation.limits(resolution); }
-  /// The bounds on the state of the segregation.
+  /// Returns the bounds on the state of the segregation.
+  ///
   auto validity(Resolution const& resolution) const { return validity_of(segregation, resolution); }
 };
 

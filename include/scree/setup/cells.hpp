@@ -17,10 +17,11 @@
 #include <utility>
 #include <vector>
 
-// Shared by the lattices of the set-up.
+// Parts shared by the lattices of the set-up.
 namespace scree::detail {
 
-/// Tolerance, in units of the spacing: rounding errors must not decide about lattice positions on a boundary.
+/// A tolerance in units of the spacing, so that rounding errors do not decide whether lattice positions on a boundary
+/// are inside.
 inline constexpr double tie = 1e-9;
 
 void check_spacing(double spacing);
@@ -31,9 +32,9 @@ void check_finite(Box<Dim> const& box) {
     throw std::invalid_argument("set-up: a shape without finite bounds cannot be filled; intersect it with a Box");
 }
 
-/// Throws the error that a shape that extends so far along each axis (m) has no room for a particle.
+/// Throws std::invalid_argument with the message that a shape with these extents (m) has no room for a particle.
 [[noreturn]] void refuse_empty(char const* shape, std::initializer_list<double> extents, double spacing);
-/// Throws std::invalid_argument if nothing was filled of a shape that is no combination: of one with a name.
+/// Throws std::invalid_argument if no point was placed in a shape that has a name; combinations of shapes have none.
 template <Shape S>
 void check_not_empty(S const& shape, double spacing, double points) {
   if constexpr (requires { S::name; }) {
@@ -56,7 +57,7 @@ bool stands_inside(S const& shape, Vec<S::dim, double> const& x, double spacing)
 template <int Dim>
 using Index = std::array<long, static_cast<std::size_t>(Dim)>;
 
-/// Visits every index from `first` up to, not including, `last`; the first axis runs fastest.
+/// Calls visit(index) for every index from `first` up to, but not including, `last`; the first axis runs fastest.
 template <int Dim, class F>
 void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
   for (std::size_t axis = 0; axis < first.size(); ++axis)
@@ -72,8 +73,8 @@ void visit_indices(Index<Dim> const& first, Index<Dim> const& last, F const& vis
   }
 }
 
-/// Calls visit(from, to) for the indices of each layer of the last axis. `Shared`: the threads of the host share the
-/// layers.
+/// Calls visit(from, to) with the range of indices of each layer along the last axis. With `Shared`, the threads of the
+/// host share the layers.
 template <int Dim, bool Shared, class F>
 void visit_layers(Index<Dim> const& first, Index<Dim> const& last, F const& visit) {
   auto const visit_layer = [&](long layer) {
@@ -88,7 +89,7 @@ void visit_layers(Index<Dim> const& first, Index<Dim> const& last, F const& visi
     for (long layer = 0; layer < layers; ++layer) visit_layer(layer);
 }
 
-/// The number of indices that visit_indices() visits.
+/// Returns the number of indices that visit_indices() visits.
 template <int Dim>
 double number_between(Index<Dim> const& first, Index<Dim> const& last) {
   double number = 1;
@@ -96,10 +97,10 @@ double number_between(Index<Dim> const& first, Index<Dim> const& last) {
     number *= std::max(0.0, double(last[axis]) - double(first[axis]));
   return number;
 }
-/// The number of spacings in a length, rounded; throws if it is too large to count.
+/// Returns a length in spacings, rounded to a whole number. Throws std::invalid_argument if it is too large to count.
 long rounded_count(double spacings);
-/// Calls place(index, x) for each index, and returns the points x that it sets where it returns true. Threads of the
-/// host share the layers of indices, each layer with its own copy of `place`.
+/// Calls place(index, x) for each index, and returns the points x of the calls that return true. The threads of the
+/// host share the layers of indices, and each layer has its own copy of `place`.
 template <int Dim, class Place>
 std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Dim> const& last, Place const& place) {
   std::vector<std::vector<Vec<Dim, double>>> layers(std::size_t(std::max(last.back() - first.back(), 0L)));
@@ -118,8 +119,9 @@ std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Di
   for (auto const& points : layers) all.insert(all.end(), points.begin(), points.end());
   return all;
 }
-/// The points that `place` accepts among a range of indices. They are counted before they are created, unless there is
-/// enough memory for all indices and a growing vector. `Shared`: the threads of the host share the layers of indices.
+/// Returns the points that `place` accepts in a range of indices. The points are counted before they are created,
+/// unless there is enough memory for all indices and a growing vector. If there is, and with `Shared`, the threads of
+/// the host share the layers of indices.
 template <int Dim, bool Shared = false, class Place>
 std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place place) {
   using vector = Vec<Dim, double>;
@@ -141,8 +143,8 @@ std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> cons
   return points;
 }
 
-/// A share of the points that `place` accepts, in the order of points_at(). They are counted first; memory is needed
-/// for this share only.
+/// Returns a share of the points that `place` accepts, in the order of points_at(). All points are counted first;
+/// memory is needed only for the share.
 template <int Dim, bool Shared = false, class Place>
 SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Place const& place,
                            ShareOfRank const& share) {
@@ -156,7 +158,7 @@ SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Plac
       if (here(index, x)) visit(x);
     });
   };
-  std::vector<long> starts(std::size_t(std::max(last.back() - first.back(), 0L)) + 1, 0);  // of layers
+  std::vector<long> starts(std::size_t(std::max(last.back() - first.back(), 0L)) + 1, 0);  // points before each layer
   visit_layers<Dim, Shared>(first, last, [&](Index<Dim> const& from, Index<Dim> const& to) {
     long count = 0;
     visit_points(from, to, [&](auto const&) { ++count; });
@@ -178,8 +180,8 @@ SharedPoints<Dim> share_at(Index<Dim> const& first, Index<Dim> const& last, Plac
   return mine;
 }
 
-/// Cubes of a Cartesian lattice with their centres inside a box. The number along each axis is rounded. The anchor is a
-/// corner of the cube with index zero.
+/// Cubes of a Cartesian lattice whose centres are inside a box. Their number along each axis is rounded. The anchor is
+/// a corner of the cube with index zero.
 template <int Dim>
 struct Cells {
   Vec<Dim, double> anchor;
@@ -202,13 +204,13 @@ struct Cells {
       if (index[k] < first[k] || index[k] >= last[k]) return false;
     return true;
   }
-  /// Centres of the cubes for which keep(index, centre) holds. `Shared`: the threads of the host share the layers of
-  /// cubes, and each layer has a copy of `keep`.
+  /// Returns the centres of the cubes for which keep(index, centre) is true. With `Shared`, the threads of the host
+  /// share the layers of cubes, and each layer has its own copy of `keep`.
   template <bool Shared = false, class Keep>
   std::vector<Vec<Dim, double>> centres(Keep keep) const {
     return points_at<Dim, Shared>(first, last, placing(std::move(keep)));
   }
-  /// A share of the centres of the cubes for which keep(index, centre) holds.
+  /// Returns a share of the centres of the cubes for which keep(index, centre) is true.
   template <bool Shared = false, class Keep>
   SharedPoints<Dim> centres(Keep keep, ShareOfRank const& share) const {
     return share_at<Dim, Shared>(first, last, placing(std::move(keep)), share);
@@ -225,7 +227,7 @@ struct Cells {
   }
 };
 
-/// Which cells the material of a shape fills: those whose centre it contains.
+/// The cells that the material of a shape fills: those whose centres are inside the shape.
 template <Shape S>
 class Filled {
  public:
@@ -237,7 +239,8 @@ class Filled {
   double limit_;
   RowDistance<S> distance_;
 };
-/// In a box the number along each axis is rounded, which decides about cells on its sides.
+/// The cells that fill a box. Their number along each axis is rounded, which decides whether cells on the sides are
+/// filled.
 template <int Dim>
 struct Filled<Box<Dim>> {
   Cells<Dim> cells;

@@ -10,13 +10,14 @@
 namespace scree {
 
 namespace detail {
-/// Rows of particles, each shifted by half a distance against the next; in 3D layers of them in hexagonal close
-/// packing, stacked along the last coordinate. All twelve (in 2D six) nearest neighbours are at the same distance.
+/// A hexagonal lattice: rows of particles, each shifted by half a particle distance relative to the next row; in 3D,
+/// layers of rows in hexagonal close packing, stacked along the last coordinate. All six (in 3D twelve) nearest
+/// neighbours of a particle are at the same distance.
 template <int Dim>
 struct HexagonalLattice {
   Vec<Dim, double> corner, pitch;  // m; pitch: between particles of a row, between rows, between layers
 
-  /// The distance a of neighbours follows from the area $\sqrt{3}/2 \, a^2$, or the volume $a^3/\sqrt{2}$, per
+  /// Computes the distance a of neighbours from the area $\sqrt{3}/2 \, a^2$ or, in 3D, the volume $a^3/\sqrt{2}$ of a
   /// particle.
   HexagonalLattice(Vec<Dim, double> const& low, double spacing) : corner(low) {
     double const distance = spacing * (Dim == 2 ? std::sqrt(2 / std::sqrt(3.0)) : std::pow(2.0, 1.0 / 6));
@@ -24,7 +25,8 @@ struct HexagonalLattice {
     pitch[1] = distance * std::sqrt(3.0) / 2;
     if (Dim == 3) pitch[Dim - 1] = distance * std::sqrt(2.0 / 3);
   }
-  /// Shifts are centred on half a pitch, so that opposite sides of a box are alike.
+  /// Returns the position of a particle, m. The shifts of rows are centred on half a pitch, so that opposite sides of a
+  /// box are alike.
   Vec<Dim, double> position(Index<Dim> const& index) const {
     long const row = index[1], layer = Dim == 3 ? index[Dim - 1] : 0;
     Vec<Dim, double> in_pitches = Vec<Dim, double>::Constant(0.5);
@@ -34,7 +36,7 @@ struct HexagonalLattice {
     return corner + pitch.cwiseProduct(in_pitches);
   }
 };
-/// Calls fill(first, last, place) with the indices of the lattice in a shape.
+/// Calls fill(first, last, place) with the range of indices of the lattice around a shape, and returns its result.
 template <Shape S, class Fill>
 auto fill_hexagonal(S const& shape, double spacing, Fill const& fill) {
   static constexpr int dim = S::dim;
@@ -54,8 +56,9 @@ auto fill_hexagonal(S const& shape, double spacing, Fill const& fill) {
 }
 }  // namespace detail
 
-/// Particles in hexagonal order within a shape, spacing^Dim (m^Dim) for each: rows along the first axis, starting half
-/// a pitch from the low side of the bounds across them.
+/// Returns particles on a hexagonal lattice within a shape; each particle represents spacing^Dim (m^Dim). Rows are
+/// along the first axis. Across them, the lattice starts half a pitch from the low side of the bounds; in 3D, this is
+/// the mean over the layers.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) {
   auto points = detail::fill_hexagonal(shape, spacing, [](auto const& first, auto const& last, auto const& place) {
@@ -64,7 +67,7 @@ std::vector<Vec<S::dim, double>> fill_hexagonal(S const& shape, double spacing) 
   detail::check_not_empty(shape, spacing, double(points.size()));
   return points;
 }
-/// A rank's share of the points of a hexagonal lattice in a shape (fields/shared_points.hpp).
+/// Returns a rank's share of the points of a hexagonal lattice in a shape (fields/shared_points.hpp).
 template <Shape S>
 SharedPoints<S::dim> fill_hexagonal(S const& shape, double spacing, IsShareOfRank auto const& share) {
   return detail::fill_hexagonal(shape, spacing, [&](auto const& first, auto const& last, auto const& place) {

@@ -13,10 +13,11 @@
 
 namespace scree {
 
-/// Places particles at the centres of cubes inside a shape, the first coordinate running fastest. `anchor` (m) is a
-/// corner of one of the cubes; shapes filled from the same anchor continue each other's lattice. Throws
+/// Returns the centres of the cubes of a lattice that are inside a shape; the first coordinate runs fastest. `anchor`
+/// (m) is a corner of one of the cubes; shapes filled from the same anchor share one lattice. Throws
 /// std::invalid_argument if the spacing is not positive, a parameter of the shape is out of its range, the shape has no
-/// finite bounds, or the particles do not fit in memory. All fillings and walls do the same.
+/// finite bounds, or the particles do not fit in memory. All functions that fill shapes or make walls throw for these
+/// reasons.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor) {
   check_shape(shape);
@@ -24,9 +25,10 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing, Ve
   detail::Cells<S::dim> const cells(bounds, spacing, anchor);
   return cells.template centres<detail::is_costly<S>>(detail::Filled<S>(shape, bounds, spacing, anchor));
 }
-/// Anchored at the low corner of the bounds of the shape: half a spacing away from its low sides. In a box the number
-/// of cubes along each axis is rounded. Throws std::invalid_argument also if a Box, Ball, Cylinder, Polygon, Mesh or
-/// Release has no room for a particle.
+/// Returns the centres of the cubes of a lattice that are inside a shape. The lattice is anchored at the low corner of
+/// the bounds of the shape, so that particles start half a spacing from its low sides. In a box the number of cubes
+/// along each axis is rounded. Throws std::invalid_argument also if a Box, Ball, Cylinder, Polygon, Mesh or Release has
+/// no room for a particle.
 template <Shape S>
 std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   check_shape(shape);
@@ -35,7 +37,7 @@ std::vector<Vec<S::dim, double>> fill_lattice(S const& shape, double spacing) {
   return points;
 }
 
-// With any other argument the compiler says what a shape is.
+// If the argument is not a shape, the compiler explains what a shape is.
 template <class S, class... Others>
 requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, Others const&...) {
   static_assert(Shape<S>,
@@ -44,9 +46,9 @@ requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, O
   return {};
 }
 
-/// The share of these points that one rank of a case has at its start: consecutive points, equally many on each rank.
-/// Layers of the last coordinate follow each other. The other functions that fill shapes or make walls also take a
-/// share.
+/// Returns the share of the points of fill_lattice() that one rank of a case owns at its start: consecutive points,
+/// equally many on each rank. Points are ordered by layers of the last coordinate. fill_between(), fill_hexagonal() and
+/// wall_around() also accept a share.
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,
                                   IsShareOfRank auto const& share) {
@@ -63,7 +65,7 @@ SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, IsShareOfRank 
   return points;
 }
 
-/// Wall particles on the lattice of fill_lattice(outer, spacing), m: those that are not within `inner`.
+/// Returns wall particles (m): the points of fill_lattice(outer, spacing) that are not within `inner`.
 template <int Dim>
 std::vector<Vec<Dim, double>> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, double spacing) {
   inner.check(), outer.check();
@@ -78,7 +80,7 @@ SharedPoints<Dim> fill_between(Box<Dim> const& inner, Box<Dim> const& outer, dou
   return cells.centres([&](auto const&, auto const& x) { return !inner.contains(x); }, share);
 }
 
-/// The points that a shape contains, in the same order.
+/// Returns the points that are inside a shape, in the same order.
 template <Shape S>
 std::vector<Vec<S::dim, double>> points_within(std::vector<Vec<S::dim, double>> const& points, S const& shape) {
   check_shape(shape);
@@ -96,12 +98,13 @@ void jitter(std::vector<Vec<Dim, double>>& points, double distance, std::mt19937
       x[axis] += distance * (2 * std::ldexp(double(random() >> 11), -53) - 1);  // identical on every standard library
 }
 }  // namespace detail
-/// Displaces every point by up to `distance` (m) along each axis, uniformly; the same seed gives the same points.
+/// Displaces every point by a random distance, uniformly distributed up to `distance` (m), in either direction of each
+/// axis; the same seed gives the same points.
 template <int Dim>
 void jitter(std::vector<Vec<Dim, double>>& points, double distance, unsigned seed) {
   detail::jitter(points, distance, std::mt19937_64(seed));
 }
-/// Displaces the points of a share as jitter() displaces them among all points.
+/// Displaces the points of a share exactly as jitter() displaces them among all points.
 template <int Dim>
 void jitter(SharedPoints<Dim>& share, double distance, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -120,7 +123,7 @@ std::vector<Vec<Dim, Real>> cast(std::vector<Vec<Dim, double>> const& points) {
   }
   return result;
 }
-// Called with groups, the compiler says that they need no cast.
+// If the argument consists of groups, the compiler explains that they need no cast.
 template <class Real, int Dim>
 Groups<Dim> const& cast(Groups<Dim> const& groups) {
   static_assert(Dim < 0,

@@ -15,12 +15,13 @@
 // the shape.
 namespace scree {
 
-/// Particles and the volume of each, for `solver.set(fields::volume, bed.volumes, [](double v) { return v; })`.
+/// The particles of a filling and their volumes, for `solver.set(fields::volume, bed.volumes, [](double v) { return v;
+/// })`.
 template <int Dim>
 struct MeasuredFill {
   std::vector<Vec<Dim, double>> points;  ///< m
   std::vector<double> volumes;           ///< m^Dim, all equal; together the volume of the shape
-  double level = 0;                      ///< of the surface, m
+  double level = 0;                      ///< level of the surface, m
 };
 
 namespace detail {
@@ -46,29 +47,32 @@ MeasuredFill<S::dim> fill_below(S const& shape, VolumeBelow<S> const& volume_bel
 }
 }  // namespace detail
 
-/// Returns particles that fill a shape up to a level of the last coordinate, m. `anchor` (m) is a corner of a cube of
-/// the lattice, as in fill_lattice(): that of the walls; without it, the low corner of the bounds of the shape. Throws
-/// std::invalid_argument, next to the reasons of fill_lattice(), if the particles represent less than 3/4 or more than
-/// 5/4 of the volume before its correction.
+/// Returns particles that fill a shape up to a level (m) of the last coordinate. `anchor` (m) is a corner of a cube of
+/// the lattice, as in fill_lattice(), for example that of the walls; by default, the low corner of the bounds of the
+/// shape. Throws std::invalid_argument as fill_lattice() does, if the level is not a number, and if the particles,
+/// before the correction of their volumes, represent less than 3/4 or more than 5/4 of the volume of the shape below
+/// the level.
 template <Shape S>
 MeasuredFill<S::dim> fill_up_to(S const& shape, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return detail::fill_below(shape, VolumeBelow<S>(shape, spacing), level, spacing, anchor);
 }
-/// Returns the same for a shape whose volume is already computed, which takes long for some shapes.
+/// Returns particles that fill a shape up to a level (m), given its VolumeBelow, which takes long to compute for some
+/// shapes.
 template <Shape S>
 MeasuredFill<S::dim> fill_up_to(S const& shape, VolumeBelow<S> const& volume_below, double level, double spacing,
                                 std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return detail::fill_below(shape, volume_below, level, spacing, anchor);
 }
-/// Returns particles that fill all of a shape, up to its top. Throws as fill_up_to() does.
+/// Returns particles that fill a whole shape, up to its top. Throws as fill_up_to() does.
 template <Shape S>
 MeasuredFill<S::dim> fill_measured(S const& shape, double spacing,
                                    std::optional<Vec<S::dim, double>> const& anchor = {}) {
   return fill_up_to(shape, shape.bounds().high[S::dim - 1], spacing, anchor);
 }
-/// Fills a shape with a mass (kg, in the plane kg/m) of a material, up to the level at which its density (kg/m^3) gives
-/// this mass. Also throws std::invalid_argument if there is no space for it.
+/// Returns particles that fill a shape up to the level at which a material of the given density (kg/m^3) has the given
+/// mass (kg, in the plane kg/m). Throws std::invalid_argument as fill_up_to() does, if the mass or the density is not
+/// above 0, and if the shape has no space for this mass.
 template <Shape S>
 MeasuredFill<S::dim> fill_with_mass(S const& shape, double filled_mass, double bulk_density, double spacing,
                                     std::optional<Vec<S::dim, double>> const& anchor = {}) {

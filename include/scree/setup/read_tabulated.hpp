@@ -8,16 +8,17 @@
 
 namespace scree {
 
-/// A motion from a file of comma-separated values: in each line a time (s) and a displacement (m) of Dim coordinates.
+/// Returns a motion read from a file of comma-separated values. Each line has a time (s) and Dim coordinates of a
+/// displacement (m):
 ///
 ///     time [s],x [m],z [m]
 ///     0,0,0
 ///     0.5,0,0.3
 ///
-/// Lines that begin with # are left out. A first line of names may be missing; units in it, in brackets or parentheses,
-/// must be s and m. Throws std::runtime_error with the file, the line and the column if a number is missing, too many,
-/// not finite or no number, if a unit is another one, if the times do not increase, or if there are less than 2 lines
-/// of numbers or more than `Capacity`.
+/// Lines that begin with # are ignored. A first line of names is optional; units in this line, in brackets or
+/// parentheses, must be s and m. Throws std::runtime_error, with the file, the line and the column, if a line has too
+/// few or too many numbers, an entry is not a finite number, a unit differs from these, or the times do not increase.
+/// Throws std::runtime_error with the file if there are fewer than 2 lines of numbers or more than `Capacity`.
 template <int Dim, int Capacity = 32>
 Tabulated<Dim, Capacity> read_tabulated(std::filesystem::path const& file,
                                         TableInterpolation interpolation = TableInterpolation::monotone) {

@@ -13,28 +13,29 @@
 namespace scree {
 
 namespace detail {
-/// Particles in a plane with the area of each, m^2.
+/// Particles in a plane, m, and their areas, m^2.
 struct PlanePoints {
   std::vector<Vec<2, double>> points;
   std::vector<double> areas;
 
   void add(Vec<2, double> const& x, double area);
-  /// `count` particles around the origin that share an area.
+  /// Adds `count` particles on a ring around the origin; each has an equal part of an area, m^2.
   void add_ring(double radius, long count, double area);
-  /// An annulus of one row whose middle has the given radius.
+  /// Adds a ring of particles with this radius, in the middle of an annulus that is one spacing wide.
   void add_annulus(double radius, double spacing);
 };
 
-/// The middle of a disc, with a radius between 1/2 and 3/2 spacings, where rings would be too tight. At most seven
-/// particles, no two of them closer than 0.8 spacings.
+/// Adds the core of a disc, whose radius is between 1/2 and 3/2 spacings, so that rings would be too tight. The core
+/// has at most seven particles, no two of which are closer than 0.8 spacings.
 void add_core(PlanePoints& plane, double radius, double spacing);
 
-/// A disc around the origin: rings from half a spacing within its edge to its core.
+/// Returns the particles of a disc around the origin: rings from half a spacing within its edge to its core.
 PlanePoints disc_of_rings(double radius, double spacing);
 
-/// A point of a plane across the axis of a cylinder, moved to a coordinate along the axis.
+/// Returns a point in space, given its place in a plane across the axis of a cylinder and its coordinate along the
+/// axis.
 Vec<3, double> lifted(Vec<2, double> const& in_plane, double along, Cylinder const& cylinder);
-/// Layers of particles along a cylinder; their number is rounded.
+/// Returns the number of layers of particles along a cylinder, rounded.
 inline long layers_of(Cylinder const& cylinder, double spacing) {
   return rounded_count((cylinder.to - cylinder.from) / spacing);
 }
@@ -43,12 +44,13 @@ inline double layer_position(Cylinder const& cylinder, long layer, double spacin
 }
 }  // namespace detail
 
-/// Particles on rings, with volumes and nominal number that account for the rounded number per ring.
+/// Particles on rings. Their volumes and their nominal number account for the rounding of the number of particles per
+/// ring.
 template <int Dim>
 struct RingFill {
   std::vector<Vec<Dim, double>> points;  ///< m
   std::vector<double> volumes;           ///< of each particle, m^Dim; close to spacing^Dim
-  double nominal_number = 0;             ///< the sum of these volumes over spacing^Dim; compare with points.size()
+  double nominal_number = 0;             ///< sum of the volumes over spacing^Dim; compare with points.size()
 
   /// Adds a particle at x (m) with a volume `size` (m^Dim).
   void add(Vec<Dim, double> const& x, double size, double spacing) {
@@ -58,7 +60,8 @@ struct RingFill {
   }
 };
 
-/// Rings of a disc, from half a spacing within its edge inwards, one spacing apart, restricted to a region.
+/// Returns the particles inside a region on the rings of a disc. The outermost ring is half a spacing within the edge,
+/// and the rings are one spacing apart.
 template <Shape Region = Box<2>>
 RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region = whole_space<2>()) {
   disc.check(), check_shape(region);
@@ -71,7 +74,8 @@ RingFill<2> fill_rings(Ball<2> const& disc, double spacing, Region const& region
   }
   return result;
 }
-/// Rings of a disc in every layer along a cylinder, the first layer half a spacing from its end.
+/// Returns the particles inside a region on the rings of a disc in every layer along a cylinder. The first layer is
+/// half a spacing from the end `from` of the cylinder.
 template <Shape Region = Box<3>>
 RingFill<3> fill_rings(Cylinder const& cylinder, double spacing, Region const& region = whole_space<3>()) {
   cylinder.check(), check_shape(region);

@@ -37,7 +37,7 @@ class RowDistance {
   }
 
  private:
-  /// The signed distance at x differs from `distance` by at most `error`; m.
+  /// A point x at which the signed distance differs from `distance` by at most `error`, m.
   struct Known {
     Vec<S::dim, double> x = Vec<S::dim, double>::Zero();
     double distance = 0, error = std::numeric_limits<double>::infinity();
@@ -51,7 +51,7 @@ class RowDistance {
   static Known moved(Known const& from, Vec<S::dim, double> const& x) {
     return {x, from.distance, from.error + (x - from.x).norm() * (1 + 1e-9)};
   }
-  /// A lower bound of the distance of a point from both limits, m.
+  /// Returns a lower bound on the difference between the signed distance of a point and either limit, m.
   double margin(Known const& known) const {
     return std::min(std::abs(known.distance - limits_[0]), std::abs(known.distance - limits_[1])) - known.error;
   }
@@ -61,7 +61,7 @@ class RowDistance {
   bool has_jumps_;
   double limits_[2];
   std::vector<Known> row_, row_before_;
-  std::size_t beside_ = 0;  // the point of the row before at or behind the last one
+  std::size_t beside_ = 0;  // first point of the preceding row that is not before the present point
 };
 
 }  // namespace scree::detail

@@ -14,7 +14,7 @@
 namespace scree {
 namespace detail {
 
-/// The exact volume below a level of the last coordinate, m^dim, where it is known.
+/// Returns the exact volume below a level of the last coordinate, m^dim, if it is known.
 template <Shape S>
 std::optional<double> exact_volume_below(S const& shape, double level) {
   if constexpr (requires { shape.exact_volume_below(level); })
@@ -44,10 +44,10 @@ inline std::optional<double> exact_volume_below(Cylinder const& cylinder, double
 
 }  // namespace detail
 
-/// The volume of a shape below levels of the last coordinate, m^dim. It is exact for Box, Ball, Cylinder and for shapes
-/// that know it (`exact_volume_below`); otherwise the volume is a sum over cubes with an edge e of half a spacing. A
-/// cube whose centre has the signed distance d counts with 1/2 - d/e of its volume, a share that is limited to 0 to 1.
-/// The sum is exact for flat surfaces along an axis and of second order in the spacing for smooth ones.
+/// The volume of a shape below levels of the last coordinate, m^dim. It is exact for Box, Ball, Cylinder and shapes
+/// with a member `exact_volume_below`; otherwise it is a sum over cubes with an edge e of half a spacing. A cube whose
+/// centre has the signed distance d contributes the share 1/2 - d/e of its volume, limited to 0 to 1. The sum is exact
+/// for flat surfaces along an axis and of second order in the spacing for smooth surfaces.
 template <Shape S>
 class VolumeBelow {
  public:
@@ -65,9 +65,10 @@ class VolumeBelow {
     auto const k = std::min(static_cast<std::size_t>(place), layers_.size() - 2);
     return layers_[k] + (place - double(k)) * (layers_[k + 1] - layers_[k]);
   }
-  /// The volume of the whole shape, m^3 (m^2 in 2D).
+  /// Returns the volume of the whole shape, m^3 (m^2 in 2D).
   double total() const { return (*this)(top()); }
-  /// The level below which the shape has this volume, to rounding; its top if it has less.
+  /// Returns the level (m) below which the shape has the volume `wanted`, to rounding; the top of the shape if it has
+  /// less.
   double level_of(double wanted) const {
     double low = bounds_.low[S::dim - 1], high = top();
     for (int k = 0; k < 200 && low < high; ++k) {
@@ -80,8 +81,8 @@ class VolumeBelow {
 
  private:
   double top() const { return bounds_.high[S::dim - 1]; }
-  /// Sums over layers of cubes with a margin of one cube: volume below the bottom of each, and below the top of the
-  /// last.
+  /// Computes the volume below the bottom of each layer of cubes and below the top of the last one. The layers extend
+  /// one cube beyond the bounds of the shape.
   void sum_layers(double edge) {
     static constexpr auto up = static_cast<std::size_t>(S::dim - 1);
     Box<S::dim> const region = detail::grown(bounds_, edge);
@@ -112,7 +113,7 @@ class VolumeBelow {
   double edge_ = 0, bottom_ = 0;
 };
 
-/// The volume of a shape, m^dim, as VolumeBelow computes it with this spacing (m).
+/// Returns the volume of a shape, m^dim, as VolumeBelow computes it with this spacing (m).
 template <Shape S>
 double volume_of(S const& shape, double spacing) {
   return VolumeBelow<S>(shape, spacing).total();

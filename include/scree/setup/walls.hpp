@@ -8,12 +8,12 @@
 #include <type_traits>
 #include <vector>
 
-// Rows of wall particles. From a particle half a spacing off a wall, a support of 3 spacings (2h with h = 1.5 spacings)
-// just reaches the third row.
+// Rows of wall particles. The support of a particle half a spacing away from a wall, 3 spacings (2h with h = 1.5
+// spacings), just reaches the third row.
 namespace scree {
 
 namespace detail {
-/// As wall_around() says; all points, or a share of them.
+/// Returns all points of wall_around(), or a share of them.
 template <Shape S, class... OfWhom>
 auto wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within, OfWhom const&... share) {
   check_shape(shape), within.check();
@@ -46,9 +46,10 @@ auto wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& wi
 }
 }  // namespace detail
 
-/// Wall particles within `rows` spacings of a shape, outside of it and inside of `within`, on the lattice of
-/// fill_lattice(shape, spacing): together they fill each cell exactly once. Edges of a box come out rounded. If the low
-/// side of the shape is at infinity, the lattice is anchored at its high side, or otherwise at that of `within`.
+/// Returns wall particles within `rows` spacings of a shape, outside the shape and inside `within`, on the lattice of
+/// fill_lattice(shape, spacing): together, material and wall fill each cell exactly once. The outer edges of a wall
+/// around a box are rounded. Along each axis the lattice is anchored at the low side of the shape; if this side is at
+/// infinity, at the high side of the shape; if both are, at the low side of `within`.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows, Box<S::dim> const& within) {
   return detail::wall_around(shape, spacing, rows, within);
@@ -58,7 +59,7 @@ SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, Box<S
                                  IsShareOfRank auto const& share) {
   return detail::wall_around(shape, spacing, rows, within, share);
 }
-/// Wall particles within `rows` spacings of a shape with finite bounds, all around it.
+/// Returns wall particles within `rows` spacings of a shape with finite bounds, on all sides of it.
 template <Shape S>
 std::vector<Vec<S::dim, double>> wall_around(S const& shape, double spacing, int rows) {
   return detail::wall_around(shape, spacing, rows, whole_space<S::dim>());
@@ -69,18 +70,19 @@ SharedPoints<S::dim> wall_around(S const& shape, double spacing, int rows, IsSha
 }
 
 namespace detail {
-/// Rings around a disc at the origin, from half a spacing beyond its edge outwards.
+/// Returns the particles of rings around a disc at the origin. The first ring is half a spacing beyond the edge.
 PlanePoints rings_around(double radius, double spacing, int rows);
 }  // namespace detail
 
-/// Rings around a disc, from half a spacing beyond its edge outwards, one spacing apart.
+/// Returns wall particles on rings around a disc. The first ring is half a spacing beyond the edge, and the rings are
+/// one spacing apart.
 std::vector<Vec<2, double>> wall_rings(Ball<2> const& disc, double spacing, int rows);
 
-/// The ends of a cylinder: open or periodic, or closed by discs as thick as the wall around it.
+/// Walls at the ends of a cylinder: none (open or periodic ends), or discs as thick as the wall around the cylinder.
 enum class EndWalls { none, discs };
 
-/// Rings around a disc in every layer along a cylinder, aligned with those of fill_rings(); with discs also beyond both
-/// ends.
+/// Returns wall particles on rings around a disc in every layer along a cylinder, aligned with the layers of
+/// fill_rings(); with EndWalls::discs, also discs beyond both ends.
 std::vector<Vec<3, double>> wall_rings(Cylinder const& cylinder, double spacing, int rows,
                                        EndWalls ends = EndWalls::none);
 

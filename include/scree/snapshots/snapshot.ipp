@@ -56,7 +56,7 @@ SCREE_BODY std::vector<double> numbers_of(Snapshot const& snapshot, std::string 
 }
 
 SCREE_BODY std::string detail::fault_of_names(std::vector<std::string> names, std::string const& kind) {
-  constexpr std::size_t longest = 80;  // of a name in a message, bytes
+  constexpr std::size_t longest = 80;  // length of a name in a message, bytes
   auto const quoted = [](std::string name) {
     if (name.size() > longest) name = name.substr(0, longest) + "...";
     for (auto at = name.find('\0'); at != std::string::npos; at = name.find('\0')) name.replace(at, 1, "\\0");

@@ -16,7 +16,7 @@
 namespace scree {
 namespace detail {
 
-/// An array without values.
+/// Returns an array without values.
 template <class T>
 SnapshotArray head_of(std::string name, std::string unit) {
   using number = typename number_of<T>::type;
@@ -36,7 +36,7 @@ std::vector<T> values_of(SnapshotArray const& array) {
   return values;
 }
 
-/// Name, unit and type of a column.
+/// The name, unit and type of a column.
 struct ColumnHead {
   std::string_view prefix, name, unit;
   ElementType element;
@@ -49,7 +49,7 @@ inline constexpr std::string_view prefix_of<Previous<F>> = "previous ";
 template <class F>
 inline constexpr std::string_view prefix_of<Remainder<F>> = "remainder of ";
 
-/// The arrays of a body, without values. Fields with the same name are numbered.
+/// Returns the arrays of a body without values. Fields with the same name are numbered.
 std::vector<SnapshotArray> heads_of(std::string const& body, std::vector<ColumnHead> const& columns);
 template <class P, class... Fs>
 std::vector<SnapshotArray> heads_of(std::string const& body, Fields<Fs...>) {
@@ -57,18 +57,18 @@ std::vector<SnapshotArray> heads_of(std::string const& body, Fields<Fs...>) {
                   {{prefix_of<Fs>, Fs::name, Fs::unit, element_type<typename number_of<value_t<P, Fs>>::type>(),
                     static_cast<int>(sizeof(value_t<P, Fs>) / sizeof(typename number_of<value_t<P, Fs>>::type))}...});
 }
-/// A body for a snapshot, as columns without types.
+/// A body for a snapshot, as untyped columns.
 template <class Space>
 struct BodyOfSnapshot {
   std::string name;
   UntypedParticles<Space> const* columns;
-  std::vector<SnapshotArray> heads;  // of the columns, without values
+  std::vector<SnapshotArray> heads;  // arrays of the columns, without values
   Turnover turnover;
-  long at_start;  // particles at the start, on all ranks
+  long at_start;  // number of particles on all ranks at the start
 };
 template <class Space>
 using BodiesOfSnapshot = std::vector<BodyOfSnapshot<Space>>;
-/// The bodies of a system, in its order. They refer to it.
+/// Returns the bodies of a system in its order. The result refers to the system.
 template <class Sys>
 [[gnu::cold]] auto bodies_of_snapshot(Sys const& system) {
   using P = typename Sys::policy;
@@ -84,8 +84,8 @@ template <class Sys>
 }
 
 std::string name_of_class(std::type_info const& type);
-/// The `name` of a class. A class without one has its name in C++, with namespaces and arguments; a class of scree
-/// itself has it without both.
+/// Returns the `name` of a class, or its C++ name if it has no `name`. The C++ name includes namespaces and template
+/// arguments, except for classes directly in the namespace scree.
 template <class T>
 std::string name_of_class() {
   if constexpr (requires { std::string_view(T::name); })

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-// Conversion between a system and its snapshot. Owned particles are stored; ghosts are created from them again. If the
-// order of neighbours depends on more than the present positions, the positions of the last build are stored too: they
-// determine the order of summation, and with it the last digits of every sum.
+// Conversion between a system and its snapshot. Only owned particles are stored; ghosts are created again from them. If
+// the order of neighbours does not follow from the present positions alone, the positions at the last build of the
+// lists are stored as well. These positions determine the order of summation, and thereby the last digits of every sum.
 namespace scree {
 namespace detail {
 
@@ -39,30 +39,15 @@ template <class P, class Memory>
                 {"wrap due", memory.wrap_due ? 1 : 0}});
   if (memory.unsettled > 0) add_counters(snapshot, "neighbours", {{"unsettled", memory.unsettled}});
 }
-/// Gives the arrays of particles the values of all ranks.
-template <class Sys>
-[[gnu::cold]] void collect_from_ranks(Snapshot& snapshot, Sys const& system) {
-  for_each_body(typename Sys::bodies{}, [&]<class Body>() {
-    auto const& body = system.template body<Body>();
-    auto const order = system.ranks().order_of(body);
-    std::string const name(Body::name);
-    for (SnapshotArray& array : snapshot.arrays) {
-      bool const of_lists =
-          array.name == "neighbours/" + name && system.neighbour_builds() > 0 && system.ranks().scattered();
-      if (!of_lists && array.name.rfind(name + "/", 0) != 0) continue;
-      array.bytes.resize(array.bytes_of_each() * std::size_t(body.size()));  // without ghosts
-      array.bytes = order.of(std::move(array.bytes), array.bytes_of_each());
-    }
-  });
-}
-/// The values of some particles.
+/// Returns the values of the particles with the given indices.
 std::vector<std::byte> picked(SnapshotArray const& array, std::vector<int> const& numbers);
 /// Throws std::runtime_error if time, steps or a counter is out of range.
 void check_counts(Snapshot const& snapshot);
-/// Throws std::runtime_error unless a counter, 0 if the snapshot has none of that name, is in a range.
+/// Returns a counter of a snapshot, or 0 if there is none of that name. Throws std::runtime_error unless the counter is
+/// from `least` to `most`.
 [[gnu::cold]] long counter_within(Snapshot const& snapshot, std::string const& name, long least, long most);
-/// Particles that came and went, and how many there are then. Throws std::runtime_error if these counts do not fit the
-/// number at the start.
+/// Reads the numbers of particles added and removed, and sets the number of particles that each body then owns. Throws
+/// std::runtime_error if these numbers do not fit the number of particles at the start.
 template <class Space>
 [[gnu::cold]] void read_turnover(std::vector<Turnover>& turnovers, std::vector<int>& owned, Snapshot const& snapshot,
                                  BodiesOfSnapshot<Space> const& bodies) {
@@ -90,10 +75,11 @@ template <class Space>
                              std::to_string(owned[k]));
     }
 }
-/// Throws std::runtime_error unless the identities are different numbers from 0 to below a bound.
+/// Throws std::runtime_error unless the identities of the particles of a body are distinct numbers from 0 to below a
+/// bound.
 [[gnu::cold]] void check_identities(Snapshot const& snapshot, std::string const& body, long below);
-/// check_identities() for all bodies in which particles came or went: the bound is the number of the next particle to
-/// be added. In other bodies users may number the particles as they like.
+/// Checks the identities of the particles of all bodies. If particles were added or removed, the bound is the identity
+/// of the next particle to be added; in other bodies, users may number the particles as they like.
 template <class Space>
 [[gnu::cold]] void check_identities(Snapshot const& snapshot, BodiesOfSnapshot<Space> const& bodies,
                                     std::vector<Turnover> const& turnovers) {
@@ -102,13 +88,14 @@ template <class Space>
     check_identities(snapshot, bodies[k].name, changed ? bodies[k].at_start + turnovers[k].added : 1L << 31);
   }
 }
-/// Reads the counters of lists, after check_counts(). Throws std::runtime_error if they do not fit the number of steps.
+/// Reads the counters of neighbour lists, after check_counts(). Throws std::runtime_error if the counters do not fit
+/// the number of steps.
 template <class Memory>
 [[gnu::cold]] void read_counters_of_lists(Memory& memory, Snapshot const& snapshot) {
   auto const within = [&](char const* name, long least, long most) {
     return counter_within(snapshot, std::string("neighbours/") + name, least, most);
   };
-  constexpr long updates_of_step = 1000, most = 1L << 62;  // far more than integrators make
+  constexpr long updates_of_step = 1000, most = 1L << 62;  // far more than an integrator makes
   auto& lists = memory.searches;
   auto& history = lists.history;
   lists.builds = within("builds", 0, most);
@@ -123,8 +110,9 @@ template <class Memory>
   memory.wrap_due = within("wrap due", 0, 1) != 0;
   memory.unsettled = static_cast<int>(std::min(within("unsettled", 0, lists.builds), 1000L));
 }
-/// Throws std::runtime_error if the memory does not fit the system: lists are built from the positions in it.
-/// `extent_at`: the number of particles with ghosts when those of a body are at some positions.
+/// Reads the state of neighbour lists. Throws std::runtime_error if it does not fit the system, because lists are built
+/// from the positions in it. `extent_at` returns the number of particles of a body, ghosts included, for given
+/// positions of its owned particles.
 template <class P, class Memory>
 [[gnu::cold]] void read_lists(Memory& memory, Snapshot const& snapshot,
                               BodiesOfSnapshot<typename P::space> const& bodies, double half_skin,
@@ -142,7 +130,8 @@ template <class P, class Memory>
       if (!x.allFinite()) refuse(snapshot, "'" + head.name + "' has a position that is not finite");
     std::size_t const least = std::size_t(owned);
     auto const of_owned = std::vector<vector>(kept.begin(), kept.begin() + std::min(kept.size(), least));
-    // Values of ghosts follow from the others; a snapshot of several ranks has none.
+    // Values of ghosts follow from the values of owned particles; a snapshot from several ranks has no values of
+    // ghosts.
     std::size_t const expected = kept.size() <= least ? least : std::size_t(extent_at(of_owned));
     if (kept.size() != expected)
       refuse(snapshot, "'" + head.name + "' has " + std::to_string(kept.size()) + " values instead of " +
@@ -164,7 +153,7 @@ template <class P, class Memory>
   lists.history.crossed_before = crossed.front();
 }
 
-/// The lines of signature_of().
+/// The entries of the system in signature_of().
 struct SignatureOfSystem {
   int dimension;
   ElementType precision;
@@ -197,7 +186,7 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   return text_of(signature, bodies);
 }
 
-/// Adds the values of the columns, and how many particles came and went.
+/// Adds the values of the columns of all bodies, and the numbers of particles added and removed.
 template <class Space>
 [[gnu::cold]] void add_bodies(Snapshot& snapshot, BodiesOfSnapshot<Space> const& bodies) {
   for (auto const& body : bodies)
@@ -212,8 +201,8 @@ template <class Space>
       add_counters(snapshot, body.name + " particles",
                    {{"added", body.turnover.added}, {"removed", body.turnover.removed}});
 }
-/// Sets the columns of the owned particles to the values of a snapshot: of those with the numbers `kept` of each body,
-/// or of all, if it is none.
+/// Sets the columns of the owned particles to values from a snapshot. In each body, these are the values of the
+/// particles with the indices in `kept`, or of all particles if `kept` is nullptr.
 template <class Space>
 [[gnu::cold]] void pour(Snapshot const& snapshot, BodiesOfSnapshot<Space> const& bodies,
                         std::vector<std::vector<int>> const* kept) {
@@ -229,14 +218,14 @@ template <class Space>
 
 }  // namespace detail
 
-/// Everything that a snapshot and a system must have in common: dimension, precision, kernel with its smoothing length,
-/// search, periods, and the particles' fields and number at the start.
+/// Returns everything that a snapshot and a system must have in common: dimension, precision, kernel with smoothing
+/// length, search, periods, and for each body its fields and its number of particles at the start.
 template <class P, class Search, class Ghosts, class... OfBodies>
 [[gnu::cold]] std::string signature_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   return detail::signature_of(system, detail::bodies_of_snapshot(system));
 }
 
-/// The state of a system between two steps. The caller adds time, steps, counters and notes.
+/// Returns the state of a system between two steps. The caller adds time, steps, counters and notes.
 template <class P, class Search, class Ghosts, class... OfBodies>
 [[gnu::cold]] Snapshot snapshot_of(System<P, Search, Ghosts, OfBodies...> const& system) {
   auto const bodies = detail::bodies_of_snapshot(system);
@@ -244,14 +233,14 @@ template <class P, class Search, class Ghosts, class... OfBodies>
   snapshot.signature = detail::signature_of(system, bodies);
   detail::add_bodies(snapshot, bodies);
   if constexpr (ListsWithSkin<Search, P>) detail::add_memory<P>(snapshot, system.memory(), bodies);
-  if constexpr (detail::on_ranks<Ghosts>) detail::collect_from_ranks(snapshot, system);
+  system.whole_case().collect(snapshot, system);
   return snapshot;
 }
 
-/// Sets a system, made for the same case, to the state of a snapshot: it continues from there bit for bit like the
-/// system that the snapshot was taken from. Throws std::runtime_error, and leaves the system unchanged, if the snapshot
-/// does not fit. `more`: lines that the caller has added to the signature. `read(turnovers)` is called before the
-/// system changes, so it may throw too.
+/// Restores the state of a snapshot in a system that was made for the same case. The system then continues bit for bit
+/// like the system from which the snapshot was taken. Throws std::runtime_error and leaves the system unchanged if the
+/// snapshot does not fit. `more` holds lines that the caller has added to the signature. `read(turnovers)` is called
+/// before the system changes, so it may throw as well.
 template <class P, class Search, class Ghosts, class... OfBodies, class Read>
 [[gnu::cold]] void restore_into(System<P, Search, Ghosts, OfBodies...>& system, Snapshot const& snapshot,
                                 std::string const& more, Read const& read) {
@@ -269,11 +258,7 @@ template <class P, class Search, class Ghosts, class... OfBodies, class Read>
     detail::read_lists<P>(memory, snapshot, bodies, system.half_skin(),
                           [&](auto const& positions) { return system.extent_at(positions); });
   read(std::as_const(memory.turnover));
-  system.restore(memory, [&]([[maybe_unused]] auto const& kept) {
-    bool picks = false;
-    if constexpr (detail::on_ranks<Ghosts>) picks = system.ranks().scattered();
-    detail::pour(snapshot, bodies, picks ? &kept : nullptr);
-  });
+  system.restore(memory, [&](auto const& kept) { detail::pour(snapshot, bodies, kept ? &*kept : nullptr); });
 }
 template <class Sys>
 void restore_into(Sys& system, Snapshot const& snapshot) {

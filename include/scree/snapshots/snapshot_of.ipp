@@ -19,7 +19,7 @@ SCREE_BODY std::vector<std::byte> picked(SnapshotArray const& array, std::vector
 SCREE_BODY void check_counts(Snapshot const& snapshot) {
   if (!(snapshot.time >= 0) || std::isinf(snapshot.time))
     refuse(snapshot, "'time' is " + exact_text(snapshot.time) + " s");
-  constexpr long most = 1L << 62;  // leaves room for counting on
+  constexpr long most = 1L << 62;  // leaves room for further counts
   auto counts = snapshot.counters;
   counts["steps"] = snapshot.steps;
   for (auto const& [name, count] : counts)

@@ -177,7 +177,7 @@ double append(Sys& system, int number, std::vector<X> const& points, std::vector
   auto const columns = std::tuple(values_at<Basis>(points, values)...);
   auto& all = system.template body<Material>();
   int const first = system.template append<Material>(static_cast<int>(points.size()));
-  bool const here = system.ranks().takes_new();
+  bool const here = system.whole_case().takes_new();
   [[maybe_unused]] auto const set_one = [&](auto field, auto const& column) {
     if (here) all.from_host(field, column, first);
   };

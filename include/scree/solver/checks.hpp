@@ -71,7 +71,7 @@ class PositionChecks {
       if (start_in_space(system, settings)) return;
     Places const here = places(system, settings);
     check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
-    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.ranks()); });
+    check_depth(settings, [&](auto const& g) { return extent_along(g, here.all, here.owned, system.whole_case()); });
   }
   /// Checks positions as start() does, where the particles are. Returns false if the host has to.
   template <class Sys>
@@ -107,7 +107,7 @@ class PositionChecks {
     if (settings.start_checks && steps >= walls_due_) walls(system, settings, steps);
   }
   /// Warns once if loaded grains are packed too loosely or too densely. It checks at intervals that double during the
-  /// run. All ranks check together, also those whose settings have no function `warn`.
+  /// run.
   template <class Sys>
   void packing_now_and_then(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
     if constexpr (carry_stress<P>(evolving_bodies<P>{}) && evolves_position<P>)
@@ -137,11 +137,11 @@ class PositionChecks {
   template <class Sys>
   [[gnu::cold]] void packing(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
     packing_due_ = std::numeric_limits<long>::max();
-    if (!system.ranks().on_any(bool(settings.warn))) return;
+    if (!system.whole_case().anywhere(bool(settings.warn))) return;
     Packing const found = packing_under_pressure(system, settings);
     if (found.keeps_volume())
       packing_due_ = 2 * steps;
-    else if (settings.warn && system.ranks().reports())
+    else if (settings.warn && system.whole_case().reports())
       settings.warn(warning_of_packing(found, time, steps));
   }
   template <class Sys>
@@ -163,8 +163,8 @@ class PositionChecks {
         physics.check_depth(extent(gravity_of(physics).template vector<Vec<P::dim, double>>()));
     });
   }
-  /// Particles for checks of positions: those of the whole case or, once each rank has its own particles, these and
-  /// those that are near, images included. The `owned` first ones of the material are checked.
+  /// Particles for checks of positions: those of the whole case or, where not all are here, these and those that are
+  /// near, images included. The `owned` first ones of the material are checked.
   struct Places {
     PlacedParticles all = {};
     std::size_t owned = 0;
@@ -173,35 +173,30 @@ class PositionChecks {
   };
   template <class Sys>
   [[gnu::cold]] static Places places(Sys const& system, SolverSettings<P> const& settings) {
-    if constexpr (Sys::has_ranks)
-      if (system.ranks().scattered()) return places_here(system, settings);
-    Places found{.periods = settings.periods};
-    for_each_body(evolving_bodies<P>{}, [&]<class Body>() { found.all.add(system.template whole<Body>().untyped()); });
-    found.owned = found.all.places.size();
-    for_each_body(following_bodies<P>{}, [&]<class Body>() { found.all.add(system.template whole<Body>().untyped()); });
-    return found;
-  }
-  template <class Sys>
-  [[gnu::cold]] static Places places_here(Sys const& system, SolverSettings<P> const& settings) {
     Places found;
+    auto const add = [&]<class Body>() { found.all.add_part(system.template whole<Body>()); };
     auto const add_near = [&]<class Body>() {
-      found.all.add_here(system.template copies_near<Body>(reach_of_checks * settings.spacing, true,
-                                                           Fields<Position, Volume, Identity>{}));
+      system.template with_copies_near<Body>(reach_of_checks * settings.spacing, true,
+                                             Fields<Position, Volume, Identity>{},
+                                             [&](auto const& copies) { found.all.add_here(copies); });
     };
-    found.all.add_here(system.template body<Material>());
+    for_each_body(evolving_bodies<P>{}, add);
     found.owned = found.all.places.size();
-    add_near.template operator()<Material>();
-    found.others = {found.all.places.size(), [&](long here) { return system.ranks().sum(here); }};
+    for_each_body(evolving_bodies<P>{}, add_near);
+    if (system.whole_case().all_here())
+      found.periods = settings.periods;
+    else
+      found.others = {found.all.places.size(), [&](long here) { return system.whole_case().sum(here); }};
     for_each_body(following_bodies<P>{}, [&]<class Body>() {
-      found.all.add_here(system.template body<Body>());
+      add.template operator()<Body>();
       add_near.template operator()<Body>();
     });
     return found;
   }
   /// The extent of the first `count` particles along a direction, m, of all those of a case; 0 without a direction.
-  template <class X, class Ranks>
+  template <class X, class Case>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
-                                           Ranks const& ranks) {
+                                           Case const& whole) {
     double const length = direction.norm();
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < count; ++i) {
@@ -209,7 +204,7 @@ class PositionChecks {
       for (int axis = 0; axis < P::dim; ++axis) along += direction[axis] * placed.places[i][std::size_t(axis)];
       low = std::min(low, along), high = std::max(high, along);
     }
-    low = -ranks.largest(-low), high = ranks.largest(high);
+    low = -whole.largest(-low), high = whole.largest(high);
     return length > 0 && low <= high ? (high - low) / length : 0;
   }
   template <class Sys>
@@ -217,8 +212,8 @@ class PositionChecks {
     walls_due_ = std::max(256L, 8 * steps);
     stop_for(fault_of_walls(system, settings, steps), steps);
   }
-  /// The text of fault_of_thin_walls(). Once each rank has its own particles, it checks them among all particles that
-  /// are near.
+  /// The text of fault_of_thin_walls(). Where not all particles are here, it checks those that are among all that are
+  /// near.
   template <class Sys>
   [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     using Walls = typename walls_of<typename P::physics>::type;
@@ -242,34 +237,23 @@ class PositionChecks {
     double const reach = 1.01 * WallView::cell(support) * settings.spacing;
     if constexpr (!on_host<typename P::space>)
       if (walls_are_thick<P>(system, settings.spacing, support, Means, for_each_wall, turning)) return "";
-    if constexpr (Sys::has_ranks)
-      if (system.ranks().scattered()) {
-        ParticlesAtWalls particles;
-        particles.support = support;
-        for_each_wall([&]<class Body>() {
-          particles.template add_wall_here<Body>(system, Means, turning.template operator()<Body>());
-        });
-        for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach, Means); });
-        PlacedParticles material;
-        auto const& here = system.template body<Material>();
-        material.add_here(here, those_near(particles.all.places, reach, here));
-        material.add_here(system.template copies_near<Material>(reach, false, Fields<Position, Volume, Identity>{}));
-        particles.put_material(material);
-        return fault_of_thin_walls(particles, settings.spacing, P::dim, system.template whole<Material>());
-      }
+    auto const& whole_case = system.whole_case();
     ParticlesAtWalls particles;
     particles.support = support;
     for_each_wall([&]<class Body>() {
       particles.add_wall(system.template whole<Body>(), Means, turning.template operator()<Body>());
     });
-    if (particles.is_plate.empty()) return "";
+    for_each_wall([&]<class Body>() { particles.template add_wall_near<Body>(system, reach, Means); });
+    if (!whole_case.anywhere(!particles.is_plate.empty())) return "";
     PlacedParticles material;
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       auto const grains = system.template whole<Body>();
-      material.add(grains.untyped(), those_near(particles.all.places, reach, grains.here()));
+      material.add_part(grains, those_near(particles.all.places, reach, grains.here()));
+      system.template with_copies_near<Body>(reach, false, Fields<Position, Volume, Identity>{},
+                                             [&](auto const& copies) { material.add_here(copies); });
     });
     particles.put_material(material);
-    return fault_of_thin_walls(particles, settings.spacing, P::dim);
+    return fault_of_thin_walls(particles, settings.spacing, P::dim, whole_case);
   }
   /// Which particles of a body follow a motion that turns them, now or later.
   template <class Body, class Sys>
@@ -303,7 +287,7 @@ Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double suppo
                "where grains may get lost, raise `lost_share` of the settings",
                settings.lost_share);
 }
-/// The number of particles of the bodies that evolve, on all ranks of the case, that are beyond a bound.
+/// The number of particles of the bodies that evolve, in the whole case, that are beyond a bound.
 template <class Sys, class Measure>
 long number_beyond(Sys const& system, Bound<Measure> const& bound) {
   long all = 0;

@@ -17,12 +17,12 @@
 // Checks of the positions of a solver where its particles are.
 namespace scree::detail {
 
-/// The bodies that evolve, then those for which for_each(visit) calls visit.operator()<Body>(). Returns none if several
-/// ranks share the particles, or if the memory is too small for this number of bytes for each particle.
+/// The bodies that evolve, then those for which for_each(visit) calls visit.operator()<Body>(). Returns none if others
+/// share the case, or if the memory is too small for this number of bytes for each particle.
 template <class P, class Sys, class ForEach>
 [[gnu::cold]] std::optional<Spots<typename P::space>> spots_of(Sys const& system, double bytes,
                                                                ForEach const& for_each) {
-  if (system.ranks().several()) return std::nullopt;
+  if (system.whole_case().is_shared()) return std::nullopt;
   int owned = 0, count = 0;
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() { owned += system.template body<Body>().size(); });
   for_each([&]<class Body>() { count += system.template body<Body>().size(); });
@@ -41,7 +41,7 @@ template <class P, class Sys, class ForEach>
 }
 
 /// Calls use(look) with a StartIn of all particles of a system. Returns false, without a call, if the host has to check
-/// them: if several ranks share them, memory is short, or too many are in one bucket.
+/// them: if others share the case, memory is short, or too many are in one bucket.
 template <class P, class Sys, class Use>
 [[gnu::cold]] bool look_in_space(Sys const& system, SolverSettings<P> const& settings, Use const& use) {
   using Space = typename P::space;

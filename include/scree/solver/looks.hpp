@@ -60,7 +60,7 @@ double largest_grains_of(Physics const& physics) {
 template <class P>
 void warn_of_models(SolverState<P> const& state) {
   auto const& settings = state.settings;
-  if (!settings.start_checks || !settings.warn || !state.system.ranks().reports()) return;
+  if (!settings.start_checks || !settings.warn || !state.system.whole_case().reports()) return;
   std::string text = warning_of_grains(largest_grains_of(settings.physics), settings.spacing);
   if constexpr (requires { settings.physics.warning(); }) {
     std::string const of_models = settings.physics.warning();
@@ -70,15 +70,14 @@ void warn_of_models(SolverState<P> const& state) {
   if (!text.empty()) settings.warn(text);
 }
 /// Warns of a state for which a model is not suited, once for each model. Two successive checks must find it, because a
-/// flow that starts passes through such states. The intervals between checks double, up to 16384 steps. All ranks check
-/// together, including those whose settings have no function `warn`.
+/// flow that starts passes through such states. The intervals between checks double, up to 16384 steps.
 template <class P>
 [[gnu::cold]] void warn_of_state(SolverState<P>& state) {
   auto const& settings = state.settings;
   long const steps = state.clock.steps, never = std::numeric_limits<long>::max();
   if (!settings.start_checks || steps < state.models_due) return;
   state.models_due = never;
-  if (!state.system.ranks().on_any(bool(settings.warn))) return;
+  if (!state.system.whole_case().anywhere(bool(settings.warn))) return;
   std::vector<std::string> found;
   for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
     auto const body = state.system.template whole<Body>(state.clock.time);
@@ -94,7 +93,7 @@ template <class P>
     before = now;
     if (!said) state.models_due = std::min(2 * steps, steps + 16384);
   }
-  if (!given.empty() && settings.warn && state.system.ranks().reports())
+  if (!given.empty() && settings.warn && state.system.whole_case().reports())
     settings.warn(given + formatted("; found at %.6g s, after step %ld", state.clock.time, steps));
 }
 /// Checks the settings that depend on each other.
@@ -174,7 +173,7 @@ template <class P>
 LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionChecks<P>& checks) {
   auto const& settings = state.settings;
   // A fault that is found now is not caused by outdated lists.
-  if (state.system.ranks().several()) state.system.stop_if_trial_failed();
+  if (state.system.whole_case().is_shared()) state.system.stop_if_trial_failed();
   state.followers.check(settings.motion, state.clock.time);
   checks.walls_now_and_then(state.system, settings, state.clock.steps);
   auto limits = limits_now(state);
@@ -211,7 +210,8 @@ template <class Body, class P>
     double const far = double((there - x[k]).norm()) - rounding * scale;
     if (!(far <= farthest)) farthest = far;  // NaN stays
   }
-  return state.system.ranks().on_any(std::isnan(farthest)) ? farthest : state.system.ranks().largest(farthest);
+  auto const& whole_case = state.system.whole_case();
+  return whole_case.anywhere(std::isnan(farthest)) ? farthest : whole_case.largest(farthest);
 }
 /// Throws std::invalid_argument unless all bodies that follow the motion are where a motion, called `name`, puts them
 /// now.

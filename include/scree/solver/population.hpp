@@ -78,7 +78,7 @@ template <class P>
         beside = is_beside(inlet, point, settings.spacing);
     }
   });
-  if (state.system.ranks().on_any(beside) && settings.warn && state.system.ranks().reports())
+  if (state.system.whole_case().anywhere(beside) && settings.warn && state.system.whole_case().reports())
     settings.warn(warning_of_block(inlet.name, speed, most));
 }
 template <class S, class P, class... Fs, class... Values>

@@ -18,7 +18,6 @@
 #include "body_at_start.hpp"
 #include "body_contact.hpp"
 #include "settings.hpp"
-#include "shares_at_start.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,11 +51,11 @@ template <int Dim>
     }
 }
 
-/// Whether forces are exact sums: for cases on ranks, and for searches whose sums do not depend on the order of the
-/// particles in memory.
+/// Whether forces are exact sums: for cases that may be divided, and for searches whose sums do not depend on the order
+/// of the particles in memory.
 template <class P>
 inline constexpr bool sums_exactly =
-    on_ranks<typename P::template ghosts<basis_of<P>>> ||
+    DividesCase<typename P::template ghosts<basis_of<P>>> ||
     std::is_same_v<typename cells_of<basis_of<P>, typename P::template search<basis_of<P>>>::type,
                    CellList<basis_of<P>, ByPosition>>;
 
@@ -93,10 +92,6 @@ class RigidDynamics {
   /// Throws std::invalid_argument if the particles have other groups than there are rigid bodies.
   template <class Sys, class AtStart>
   RigidDynamics(Sys& system, SolverSettings<P> const& settings, AtStart const& all) : settings_(settings.rigid) {
-    if (begins_from_shares(all))
-      throw std::invalid_argument(
-          "scree: a case with rigid bodies cannot begin from shares: the surfaces of bodies and walls are found while "
-          "each rank has the whole case; give all points whole");
     BodyAtStart<Vec<dim, typename P::real>> const& start = all.template of<Body>();
     auto const count = int(settings_.bodies.size());
     check_periods(settings_.bodies, settings.periods);
@@ -135,11 +130,7 @@ class RigidDynamics {
   /// Call this when all particles have their rest positions, and again when those of walls change.
   template <class Sys>
   void prepare(Sys& system, SolverSettings<P> const& settings) {
-    if constexpr (on_ranks<typename P::template ghosts<Basis>>)
-      if (system.ranks().scattered())
-        throw std::logic_error(
-            "scree: set rest positions before the first step or rates: on ranks, surfaces of rigid bodies and walls "
-            "are found while each rank has the whole case");
+    system.whole_case().require_all_here();
     contact_.prepare(system, settings);
     springs_.prepare(system.space(), settings_);
   }

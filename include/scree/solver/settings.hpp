@@ -26,7 +26,7 @@ struct ranks_of_case {
   using type = NoRanks;
 };
 template <class P>
-requires on_ranks<typename P::template ghosts<basis_of<P>>>
+requires DividesCase<typename P::template ghosts<basis_of<P>>>
 struct ranks_of_case<P> {
   using type = typename P::template ghosts<basis_of<P>>::Ranks;
 };
@@ -85,7 +85,7 @@ namespace detail {
 template <class P>
 auto ghost_settings(SolverSettings<P> const& settings) {
   using Ghosts = typename P::template ghosts<basis_of<P>>;
-  if constexpr (on_ranks<Ghosts>)
+  if constexpr (DividesCase<Ghosts>)
     return typename Ghosts::Settings(settings.ranks, settings.periods);
   else
     return settings.periods;

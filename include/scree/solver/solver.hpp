@@ -41,7 +41,7 @@ class Solver {
   static constexpr bool evolves_position = detail::evolves_position<P>;
   static constexpr bool has_stress = OneOf<Stress, material_fields<P>>;  // of the material
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
-  static constexpr bool has_ranks = detail::on_ranks<typename P::template ghosts<Basis>>;
+  static constexpr bool has_ranks = detail::DividesCase<typename P::template ghosts<Basis>>;
 
   /// Makes the solver from the particles of the material and the walls, on an instance of the execution space: from
   /// positions (m) or named groups (fields/groups.hpp). Instead, each rank of a case may give its share of them
@@ -106,8 +106,10 @@ class Solver {
   long steps() const { return state_.clock.steps; }
   /// The number of builds of the neighbour lists.
   long neighbour_builds() const { return state_.system.neighbour_builds(); }
-  /// The agreement of all ranks of the case: OneRank, or OtherRanks of the first body.
-  auto const& ranks() const { return state_.system.ranks(); }
+  /// Agreement on what is true of the whole case: WholeCase (core/whole_case.hpp), or the same object as ranks().
+  auto const& whole_case() const { return state_.system.whole_case(); }
+  /// The ranks of a case that may have several: OtherRanks of the first body.
+  auto const& ranks() const { return whole_case(); }
   /// The number of times that a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return state_.system.failed_trials(); }
   /// For each time step limit, the number of steps whose length it determined.
@@ -151,7 +153,7 @@ class Solver {
       // A value that is not finite is reported by the next step.
       bool const is_finite =
           std::all_of(values.begin(), values.end(), [](auto const& each) { return detail::is_finite(each); });
-      if (state_.started && !ranks().on_any(!is_finite)) evaluate_again();
+      if (state_.started && !whole_case().anywhere(!is_finite)) evaluate_again();
     }
   }
   /// Sets a field of a body from a function of the present positions.
@@ -323,13 +325,13 @@ class Solver {
       if (!trials.step([&] { take_step_towards(target); }, !state_.sorts_now())) continue;
       bool const may_stop = trials.ask([&] {
         ends.check_after_step(time(), state_.clock.control.deciding());
-        return stop && (!asks || ranks().on_any(asks()));
+        return stop && (!asks || whole_case().anywhere(asks()));
       });
       bool const is_due = trials.ask([&] { return components_.due(*this); });
       if ((may_stop || is_due || has_come(target, time())) && !trials.become_certain()) continue;
       if (is_due) components_.act(*this);
       schedule.act(*this);
-      if (may_stop && ranks().on_any(stop(*this))) break;
+      if (may_stop && whole_case().anywhere(stop(*this))) break;
     }
     if (steps() > steps_before) check_validity();
   }

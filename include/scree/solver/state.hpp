@@ -12,7 +12,6 @@
 #include "followers.hpp"
 #include "rigid_dynamics.hpp"
 #include "settings.hpp"
-#include "shares_at_start.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -47,7 +46,6 @@ struct SolverState {
   using AllBodies = typename P::bodies;
   using AtStart = ParticlesAtStart<P>;
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<AllBodies>;
-  static constexpr bool has_ranks = on_ranks<typename P::template ghosts<Basis>>;
 
   SolverState(Space const& space, AtStart const& start, SolverSettings<P> const& of_case)
       : settings(of_case),
@@ -55,7 +53,7 @@ struct SolverState {
         lattice_sum(kernel_sum_of_lattice(system.kernel(), of_case.spacing)),
         surface_asymmetry(scree::surface_asymmetry(system.kernel())),
         followers(of_case.periods),
-        rigid(system, of_case, start) {
+        rigid(begun(system, start), of_case, start) {
     check_points(start);
     for_each_body(AllBodies{}, [&]<class Body>() { add<Body>(start.template of<Body>()); });
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() { at_start += system.template whole<Body>().size(); });
@@ -110,7 +108,7 @@ struct SolverState {
   typename rigid_dynamics<P>::type rigid;
   std::vector<std::shared_ptr<StepLimiter const>> limiters;  // the components of the solver
   Clock clock;
-  long at_start = 0;             // particles of the bodies that evolve, of all ranks
+  long at_start = 0;             // particles of the bodies that evolve, of the whole case
   double farthest_of_rigid = 0;  // coordinate of rigid bodies at the start, in magnitude, m
   std::string note_on_steps;
   double paths_until = std::numeric_limits<double>::infinity();  // s, how far the motion was compared
@@ -124,16 +122,14 @@ struct SolverState {
   bool restoring = false;      // components get their state
 
  private:
+  static scree::system_of<P>& begun(scree::system_of<P>& system, AtStart const& start) {
+    system.begin(start);
+    return system;
+  }
   void check_points(AtStart const& start) {
     double all = 0;
     for (auto const& body : start.all) all += double(body.points.size());
     check_number(all);  // some loops run over several bodies
-    if constexpr (!has_ranks) {
-      for (auto const& body : start.all) check_whole(body.ranges);
-    } else if (system.ranks().on_any(begins_from_shares(start))) {
-      system.begin_with_shares();
-      check_shares(start, system.ranks());
-    }
     check_groups<P>(settings.motion, start);
   }
   template <class Body>

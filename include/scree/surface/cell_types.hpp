@@ -10,8 +10,8 @@
 namespace scree {
 namespace detail {
 
-/// Types of the cells of a grid, in three sweeps over particles: mark the filled cells, then those next to an empty
-/// one, then set the type of each particle from its cell.
+/// The types of the cells of a grid, computed in three sweeps over the particles: mark the filled cells, mark those
+/// next to an empty cell, and set the type of each particle from its cell.
 template <class P>
 struct CellsByType {
   static constexpr int dim = P::dim;
@@ -29,7 +29,7 @@ struct CellsByType {
     return sum;
   }
 };
-// Several threads store the same value.
+// Several threads may store the same value in a cell, hence the atomic stores.
 template <class P>
 struct MarkFilled : CellsByType<P> {
   SCREE_FN void operator()(int i) const { Kokkos::atomic_store(&this->filled(this->grid.index(this->x(i))), 1); }
@@ -49,7 +49,7 @@ struct AssignType : CellsByType<P> {
   }
 };
 
-/// Writes the type of each of `owned` particles, those of x without ghosts. Cells have at least an edge, m.
+/// Writes the cell types of the first `owned` particles of x, which are not ghosts. Cells are at least `edge` (m) wide.
 template <class P>
 void classify_cells(typename P::space const& space, Positions<P> const& x, double edge, int owned,
                     Column<P, CellType> const& type) {
@@ -65,13 +65,13 @@ void classify_cells(typename P::space const& space, Positions<P> const& x, doubl
 
 }  // namespace detail
 
-/// Pass: classifies the material's particles by the type of their cell (edge: the radius of the support), the coarse
-/// stage of the surface search. Cells beyond the edge of the grid are empty.
+/// Pass that classifies the particles of the material by the type of their cell, the coarse stage of surface detection.
+/// Cells are at least as wide as the support radius. Cells outside the grid are empty.
 struct ClassifyCells {
   template <class Body>
   using fields = std::conditional_t<detail::covers<Material, Body>, Fields<Position, CellType>, Fields<>>;
 
-  /// Writes the type of each particle of the material.
+  /// Writes the cell type of each particle of the material.
   template <class Sys>
   void run(Sys& system) const {
     using namespace fields;

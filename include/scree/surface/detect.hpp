@@ -8,15 +8,17 @@
 
 namespace scree {
 
-/// Number of particles in the umbrella of particle i, counting all bodies or the material only.
+/// Number of particles of all bodies in the umbrella of a particle; the axis of the umbrella is computed from all
+/// bodies.
 struct Covered : Integer<"particles that cover the umbrella", "1"> {};
-/// Number of material particles in the umbrella of particle i.
+/// Number of material particles in the umbrella of a particle; the axis of the umbrella is computed from the material
+/// only.
 struct CoveredByMaterial : Integer<"material particles that cover the umbrella", "1"> {};
-/// Omega_F and Omega_W only.
+/// The surface set of a particle, limited to Omega_F and Omega_W: `free`, `wall` or `interior`.
 struct OnSurface : Integer<"on a surface", "1"> {};
-/// Number of particles of Omega_F closer than 2h - spacing.
+/// Number of neighbours in Omega_F that are closer than 2h - spacing.
 struct FreeNeighbours : Integer<"free surface particles in reach", "1"> {};
-/// $\sum_{j \in \Omega_F} V_j \nabla W_{ij}$: points to the free surface.
+/// The kernel gradient sum $\sum_{j \in \Omega_F} V_j \nabla W_{ij}$, which points towards the free surface.
 struct FreeGradient : Vector<"kernel gradient over the free surface", "1/m"> {};
 
 namespace fields {
@@ -29,7 +31,7 @@ inline constexpr FreeGradient free_gradient{};
 
 namespace surface {
 
-/// Particles whose support may be truncated.
+/// Condition that the support of a particle may be truncated.
 struct Outer {
   using reads = Fields<CellType>;
   template <class I>
@@ -37,7 +39,7 @@ struct Outer {
     return i[fields::cell_type] < 3;
   }
 };
-/// Whether a particle is in a cell next to an empty one.
+/// Condition that a particle is in a cell next to an empty cell.
 struct Outermost {
   using reads = Fields<CellType>;
   template <class I>
@@ -46,10 +48,10 @@ struct Outermost {
   }
 };
 
-/// Whether j is in the umbrella region in front of i: (4.19). Its tip is at a distance h opposite to the
-/// unit vector `inward`. Within $\sqrt{2} h$ of i the region is a cone of 45 degrees; farther out it is the sphere of
-/// radius h around the tip.
-/// Where neighbours are so evenly distributed that `inward` is undefined, every neighbour covers i.
+/// Returns whether j is in the umbrella region of i, eq. (4.19). The tip of the region is at a distance h from i,
+/// opposite to the unit vector `inward`. Within $\sqrt{2} h$ of i the region is a cone of 45 degrees; farther out it is
+/// the sphere of radius h around the tip. If neighbours are distributed so evenly that `inward` is undefined, every
+/// neighbour counts as covering i.
 template <class IJ, class X>
 SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   using Real = typename X::Scalar;
@@ -59,14 +61,14 @@ SCREE_FN bool in_umbrella(IJ const& ij, X const& inward) {
   return squared_norm(ij.x - h * inward) < sq(h);
 }
 
-/// Whether wall particles are within the support of i. On a lattice some are on its edge; rounding must not decide
-/// about them.
+/// Returns whether wall particles are within the support of i. On a lattice some wall particles are on the edge of the
+/// support; the threshold above zero excludes them whatever the rounding.
 template <class I>
 SCREE_FN bool sees_wall(I const& i) {
   return i[fields::kernel_sum<Wall>] > 1e-6f;
 }
 
-/// Counts the particles of one body in the umbrellas of i.
+/// Pair term that counts the particles of one body in the umbrella of i.
 template <class Body>
 struct Umbrella {
   using reads = Fields<>;
@@ -83,7 +85,8 @@ struct Umbrella {
   }
 };
 
-/// Omega_F: nothing covers i; Omega_W: only walls do.
+/// Finds Omega_F, the particles whose umbrella is empty, and Omega_W, those whose umbrella contains only wall
+/// particles.
 struct FindSurface {
   using reads = Fields<CellType, KernelSum<Wall>>;
   using writes = Fields<OnSurface>;
@@ -97,9 +100,9 @@ struct FindSurface {
   }
 };
 
-/// Sums over the neighbours of i in Omega_F.
+/// Pair term for the sums over the neighbours of i in Omega_F.
 struct FreeSurfaceSums {
-  double spacing;  ///< initial distance of the particles, m
+  double spacing;  ///< initial spacing of the particles, m
   using reads = Fields<Volume, OnSurface>;
   using adds = Fields<FreeNeighbours, FreeGradient>;
   template <class I, class J, class IJ, class S>
@@ -107,13 +110,13 @@ struct FreeSurfaceSums {
     using namespace fields;
     if (j[on_surface] != free) return;
     sum[free_gradient] += j[volume] * ij.gradW();
-    // On a lattice rows are exactly this far apart; rounding must not decide about them.
+    // On a lattice some rows are exactly this far apart; the factor 0.9999 excludes them whatever the rounding.
     sum[free_neighbours] += int(ij.r < typename IJ::real(0.9999) * (2 * ij.h() - spacing));
   }
 };
 
-/// Omega_f (4.20), Omega_w (4.21) and the normal of the free surface (4.17), whose second branch is reversed so that
-/// both point into the material.
+/// Finds Omega_f (4.20), Omega_w (4.21) and the normal of the free surface (4.17). The sign of the second branch of
+/// (4.17) is reversed, so that both branches point into the material.
 struct FindVicinity {
   using reads = Fields<CellType, OnSurface, KernelSum<Wall>, KernelGradient<Material>, KernelGradient<Wall>>;
   using writes = Fields<SurfaceSet, FreeSurfaceNormal>;
@@ -136,7 +139,7 @@ struct FindVicinity {
   }
 };
 
-/// Normal of the walls (4.10): away from the wall particles.
+/// Computes the normal of the walls (4.10), which points away from the wall particles.
 struct FindWallNormal {
   using reads = Fields<KernelGradient<Wall>>;
   using writes = Fields<WallNormal>;
@@ -149,7 +152,7 @@ struct FindWallNormal {
 
 }  // namespace surface
 
-/// The passes that compute the surface sets and normals of the material.
+/// Returns the passes that compute the surface sets and normals of the material.
 inline auto surface_passes(Resolution const& resolution) {
   using namespace surface;
   return std::tuple(ClassifyCells{},
@@ -162,9 +165,9 @@ inline auto surface_passes(Resolution const& resolution) {
                     point_pass<Material>("scree::wall_normal", FindWallNormal{}));
 }
 
-/// The surface sets and normals as diagnostics of a formulation.
+/// Diagnostics of a formulation: the surface sets and normals of the material.
 struct SurfaceDetection {
-  /// The passes that find the surface sets and normals.
+  /// Returns the passes that compute the surface sets and normals.
   auto passes(Resolution const& resolution) const { return surface_passes(resolution); }
 };
 

@@ -5,7 +5,7 @@
 #include "../passes/over_lists.hpp"
 #include "detect.hpp"
 
-// The pair loops that the library scree::compiled has: those of surface_passes().
+// The pair loops of surface_passes() that are compiled in the library scree::compiled.
 #ifdef SCREE_COMPILED_LOOPS
 namespace scree::detail {
 

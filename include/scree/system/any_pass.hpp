@@ -8,15 +8,15 @@
 
 namespace scree::detail {
 
-/// A pass as a value, whatever its types: a name, the columns that it needs of ghosts and those that it changes, and a
-/// function with its loops. Arrays of columns have an element for each body of the system. The value refers to a pass,
-/// which must outlive it.
+/// A type-erased pass: a name, the columns of ghosts that the pass reads, the columns that it changes, and a function
+/// that runs its loops. Arrays of columns have one element for each body of the system. The value refers to a pass,
+/// which must outlive the value.
 struct AnyPass {
-  std::string_view label = {};                     // for profilers; empty: the pass names itself
-  bool active = true;                              // the pass runs
-  ColumnNumbers const* reads_of_ghosts = nullptr;  // none: the pass refreshes ghosts itself
-  ColumnNumbers const* changes = nullptr;          // none: any columns
-  bool moves = false;                              // positions change
+  std::string_view label = {};                     // name for profilers; empty if the pass names itself
+  bool active = true;                              // whether the pass runs
+  ColumnNumbers const* reads_of_ghosts = nullptr;  // nullptr if the pass refreshes ghosts itself
+  ColumnNumbers const* changes = nullptr;          // nullptr if the pass may change any column
+  bool moves = false;                              // whether positions change
   void (*loops)(void const* pass, void* system) = nullptr;
   void const* pass = nullptr;
 };

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <string>
 
-// The instances of templates of systems that the library scree::compiled has. src/compiled/instances.cpp makes them
-// from this list.
+// The instances of the templates of systems in the library scree::compiled. src/compiled/instances.cpp makes the
+// instances from this list.
 #ifdef SCREE_COMPILED
 #define SCREE_INSTANCES(P)                                                                                           \
   SCREE_INSTANCE class scree::CellList<P>;                                                                           \

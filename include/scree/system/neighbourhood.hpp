@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "../core/one_rank.hpp"
 #include "any_pass.hpp"
 #include "ghosts.hpp"
 #include "searches.hpp"
@@ -10,6 +9,7 @@
 #include "trial.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -18,18 +18,19 @@
 
 namespace scree {
 
-/// The numbers of particles that were added to a body and removed from it.
+/// The numbers of particles added to a body and removed from it.
 struct Turnover {
-  long added = 0, removed = 0;  ///< their numbers since the start
+  long added = 0, removed = 0;  ///< numbers of particles since the start
   bool operator==(Turnover const&) const = default;
-  /// The number of particles at the start, which follows from the number `present` now.
+  /// Returns the number of particles at the start, given the number `present` now.
   long at_start(long present) const { return present - added + removed; }
 };
 
 namespace detail {
 
-/// Neighbour lists and ghosts of the bodies of a system, which follow the positions of the particles. Bodies are values
-/// here, in the order of the system: it does not depend on their number and fields, so it is compiled once for a basis.
+/// The neighbour lists and ghosts of the bodies of a system, which follow the positions of the particles. Bodies are
+/// values, in the order of the system, so this class does not depend on their number and fields and is compiled once
+/// for each basis.
 template <class P, class Search, class Ghosts>
 class Neighbourhood {
   static_assert(GhostProvider<Ghosts, P>, "`ghosts` of this formulation is no GhostProvider");
@@ -38,10 +39,10 @@ class Neighbourhood {
   using All = AllBodies<P>;
   using Read = AllBodiesRead<P>;
   using SearchesOf = Searches<P, Search>;
-  static constexpr bool has_ranks = on_ranks<Ghosts>;
+  using Provider = provider_in_case<P, Ghosts>;
 
-  /// For a number of bodies, of which some are sorted (an array that outlives this object), with pairs within a radius
-  /// (m).
+  /// Takes the radius within which pairs are found (m), an array that tells which bodies are sorted, the number of
+  /// bodies, and the settings of the ghosts. The array must outlive this object.
   [[gnu::cold]] Neighbourhood(double radius, bool const* sorted, std::size_t bodies,
                               typename Ghosts::Settings const& of_ghosts);
   [[gnu::cold]] Neighbourhood(Neighbourhood&&) noexcept;
@@ -50,168 +51,167 @@ class Neighbourhood {
 
   /// Announces that positions have changed.
   void positions_changed();
-  /// Brings ghosts up to date at the beginning of a step. Particles that left a period return here, when lists are
-  /// built anyway.
+  /// Brings ghosts up to date at the beginning of a step. Particles that have left a period are wrapped if lists are
+  /// built.
   void begin_step(All bodies) {
     if (has_ghosts() && (stale_ || wrap_due_)) bring_up_to_date(bodies, true);
   }
-  /// Begins a step by sorting bodies by cells and building all lists.
+  /// Begins a step: sorts bodies by cells and builds all lists.
   [[gnu::cold]] void begin_step_sorted(All bodies);
 
-  /// Neighbours of the particles of a body among themselves, for the present positions. Throws ListsOutrun if
-  /// steps on trial have used lists that were no longer valid.
+  /// Returns the neighbours of the particles of a body in the same body, for the present positions. Throws ListsOutrun
+  /// if steps of a trial have used lists that were no longer valid.
   Search const& within(All bodies, std::size_t body);
-  /// Neighbours of the target body's particles among the source body's. Throws as within() does.
+  /// Returns the neighbours of the particles of the target body in the source body, for the present positions. Throws
+  /// ListsOutrun if steps of a trial have used lists that were no longer valid.
   typename SearchesOf::OfOthers const& among(All bodies, std::size_t target, std::size_t source);
-  /// Copies columns of the owned particles of each body, an array, to their ghosts; positions must be among them.
+  /// Copies columns of the owned particles to their ghosts. `columns` is an array with an element for each body; the
+  /// columns must include positions.
   void refresh_ghosts(All bodies, ColumnNumbers const* columns);
-  /// Copies columns of one body.
+  /// Copies columns of the owned particles of one body to their ghosts.
   void refresh_ghosts(All bodies, std::size_t body, ColumnNumbers columns);
-  /// Throws std::logic_error if the lists are not valid for the present positions. For tests.
+  /// Throws std::logic_error if the lists are not valid for the present positions. Intended for tests.
   [[gnu::cold]] void check_lists(Read bodies) const;
-  /// Throws std::logic_error if ghosts on other ranks have other values of these columns than their origins. For tests.
-  [[gnu::cold]] void check_ghosts(Read bodies, ColumnNumbers const* columns) const;
-  /// Runs passes in order, which get the address of a system; ghosts are refreshed before a pass reads them.
+  /// Throws std::logic_error if values of ghosts in these columns differ from the values of their origins. Intended for
+  /// tests.
+  [[gnu::cold]] void check_ghosts(Read bodies, ColumnNumbers const* columns) const {
+    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].check_ghosts(bodies[k], columns[k]);
+  }
+  /// Runs passes in order and hands them the address of a system. Ghosts are refreshed before each pass that reads
+  /// them.
   void run(All bodies, std::span<AnyPass const> passes, void* system);
-  /// How often neighbour lists were built.
+  /// Returns the number of builds of the neighbour lists.
   long neighbour_builds() const { return searches_.builds(); }
-  /// The largest displacement of a particle between two builds of lists, without the last update, m; 0: lists are built
-  /// at each update.
+  /// Returns the largest displacement of a particle between two builds of the lists, excluding the last update, m; 0 if
+  /// lists are built at each update.
   double half_skin() const { return SearchesOf::margin(radius_) / 2; }
 
-  /// Adds particles to a body, with zeros in all fields, behind its others, on the rank that takes new ones; returns
-  /// the number of the first. Call particles_changed() once their positions are set.
+  /// Appends particles to a body, with zeros in all fields, where the case takes new particles, and returns the index
+  /// of the first. Call particles_changed() once the positions of the new particles are set.
   [[gnu::cold]] int append(All bodies, std::size_t body, int number);
-  /// Keeps only these owned particles of a body, in this order. Call particles_changed() afterwards.
+  /// Keeps only the owned particles of a body with these indices, in this order. Call particles_changed() afterwards.
   [[gnu::cold]] void keep(All bodies, std::size_t body, Array<P, int const> const& numbers);
-  /// Builds all lists and ghosts for the new set of particles.
+  /// Builds all lists and ghosts for the new set of particles, after append() or keep().
   void particles_changed(All bodies) {
     settle(bodies);
     renew(bodies);
   }
-  /// The numbers of particles that were added and removed since the system was made, on all ranks.
+  /// Returns the numbers of particles added and removed in the whole case since the system was made.
   Turnover const& turnover(std::size_t body) const { return turnover_[body]; }
 
-  /// The ghosts of the first body, which know the ranks of the case.
+  /// Returns the ghosts of the first body.
   Ghosts const& ghosts() const { return ghosts_[0]; }
-  /// Declares that each rank of the case begins with a share of the particles.
-  void begin_with_shares() {
-    if constexpr (has_ranks) Ghosts::begin_with_shares(ghosts_);
+  /// Begins with the particles that a solver is given. Throws std::invalid_argument if these are not all of the case.
+  template <class Start>
+  void begin(Start const& start) {
+    Provider::begin(ghosts_, start);
   }
-  /// Sends shares to the ranks that they belong to.
+  /// Moves the particles of a share to where they belong.
   void settle_shares(All bodies) {
-    if (ranks().scattered() && !is_settled()) settle(bodies);
+    if (ghosts_[0].has_share()) settle(bodies);
   }
-  /// Returns copies of the particles of a body on other ranks and, if `images` is true, of periodic images, as far as
-  /// they are within a distance (m) of the box around the particles of all bodies on this rank. All ranks call it
-  /// together.
-  template <class List>
-  auto copies_near(Read bodies, std::size_t body, double distance, bool images, List list) const {
-    return ghosts_[body].copies_near(bodies[body], bodies, distance, images, list);
+  /// Calls visit(copies) with copies of the particles of a body that are elsewhere or, if `images` is true, are
+  /// periodic images, and that lie within a distance (m) of the bounding box of the particles of all bodies here. Does
+  /// not call it if all particles are here.
+  template <class List, class Visit>
+  void with_copies_near(Read bodies, std::size_t body, double distance, bool images, List list,
+                        Visit const& visit) const {
+    ghosts_[body].with_copies_near(bodies[body], bodies, distance, images, list, visit);
   }
-  /// Agreement of all ranks of the case.
-  auto const& ranks() const {
-    if constexpr (has_ranks)
-      return ghosts_[0];
-    else
-      return one_rank;
-  }
-  /// The number of particles of a body with its images, if its owned particles are at these positions.
+  /// Returns the agreement on what is true of the whole case: a WholeCase, or a provider with its functions.
+  auto const& whole_case() const { return ghosts_[0].whole_case(); }
+  /// Returns the number of particles that a body would have, images included, if its owned particles were at these
+  /// positions.
   [[gnu::cold]] int extent_at(typename P::space const& space,
                               std::vector<Vec<P::dim, typename P::real>> const& positions) const;
 
-  /// Begins a trial where that saves time. The watch checks rarely during a trial, so steps may turn out to
-  /// have used lists that were no longer valid. Returns whether a trial has begun. All ranks of a case call this and
-  /// the next three together.
+  /// Begins a trial if that saves time, and returns whether a trial has begun. During a trial, neighbour lists are
+  /// checked rarely, so its steps may turn out to have used lists that were no longer valid.
   [[gnu::cold]] bool begin_trial(All bodies);
-  /// Whether steps are taken on trial.
+  /// Whether a trial is in progress.
   bool in_trial() const { return trial_.under_way; }
-  /// Whether steps must be repeated: after ListsOutrun, or if this is true. Waits for all kernels of the
-  /// bodies.
+  /// Whether the steps of the trial must be repeated because they have used invalid lists, which ListsOutrun reports
+  /// during a step. Waits for all kernels of the bodies.
   bool trial_failed(All bodies);
-  /// Throws ListsOutrun if a trial failed.
+  /// Throws ListsOutrun if the trial has failed.
   void stop_if_trial_failed(All bodies) {
     if (trial_failed(bodies)) throw ListsOutrun();
   }
-  /// Call this before others read or change the state.
+  /// Ends the trial and keeps its steps. Call this before other code reads or changes the state.
   void end_trial();
-  /// Returns to the beginning of the trial. These lists allow no further trial.
+  /// Restores the state at the beginning of the trial. No further trial can begin until lists are built again.
   [[gnu::cold]] void undo_trial(All bodies);
-  /// How often steps on trial had to be repeated.
+  /// Returns the number of failed trials, whose steps were repeated.
   long failed_trials() const { return trial_.failures; }
 
-  /// The state, in addition to the fields, that determines the order of neighbours; for snapshots.
+  /// The state for snapshots that, in addition to the fields, determines the order of neighbours.
   struct Memory {
-    /// The memory of a number of bodies.
+    /// Makes the state for a number of bodies.
     explicit Memory(std::size_t bodies) : searches(bodies), owned(bodies), turnover(bodies) {}
     typename SearchesOf::Memory searches;
-    std::vector<int> owned;  ///< particles of each body
+    std::vector<int> owned;  ///< number of owned particles of each body
     std::vector<Turnover> turnover;
     bool stale = true, wrap_due = false;
     int unsettled = 0;
   };
-  /// The state, in addition to the fields, that determines the order of neighbours.
+  /// Returns the state that, in addition to the fields, determines the order of neighbours.
   [[gnu::cold]] Memory memory(Read bodies) const;
-  /// The numbers of the particles of each body that belong to this rank; empty: all.
-  using Kept = std::vector<std::vector<int>>;
-  /// Sets everything but the fields to the state of another system with the same fields and all particles of the case.
-  /// Returns which particles belong to this rank: set their fields, and call end_restore().
+  /// The indices of the particles of each body that stay here; none: all do.
+  using Kept = std::optional<std::vector<std::vector<int>>>;
+  /// Restores everything except the fields from the state of another system with the same fields and all particles of
+  /// the case. Returns the particles that stay here. Set their fields, and then call end_restore().
   [[gnu::cold]] Kept begin_restore(All bodies, Memory& memory);
-  /// Ends what begin_restore() has begun, with the same memory.
+  /// Completes a restart that begin_restore() has begun, with the same memory.
   [[gnu::cold]] void end_restore(Memory const& memory);
 
  private:
-  /// While it lives, passes announce which columns they change; ghosts refresh those alone.
+  /// A scope in which passes announce the columns that they change, so only these columns are copied to ghosts.
   struct Announced {
-    explicit Announced(std::vector<Ghosts>& of_bodies) : ghosts(of_bodies) { switch_to(true); }
+    explicit Announced(std::vector<Provider>& of_bodies) : ghosts(of_bodies) { switch_to(true); }
     Announced(Announced const&) = delete;
     ~Announced() { switch_to(false); }
-    void switch_to([[maybe_unused]] bool all) const {
-      if constexpr (has_ranks)
-        for (Ghosts& each : ghosts) each.announces_changes(all);
+    void switch_to(bool all) const {
+      for (Provider& each : ghosts) each.announces_changes(all);
     }
-    /// `columns`: those of each body.
-    void changed([[maybe_unused]] ColumnNumbers const* columns) const {
-      if constexpr (has_ranks)
-        for (Ghosts& each : ghosts) each.columns_changed(*columns++);
+    /// Announces the changed columns of each body.
+    void changed(ColumnNumbers const* columns) const {
+      for (Provider& each : ghosts) each.columns_changed(*columns++);
     }
-    std::vector<Ghosts>& ghosts;
+    std::vector<Provider>& ghosts;
   };
   void require_no_trial() const {
     if (trial_.under_way) throw std::logic_error("scree: particles can be added and removed between steps only");
   }
   bool has_ghosts() const { return ghosts_[0].any(); }
-  bool is_settled() const {
-    if constexpr (has_ranks)
-      return ghosts_[0].settled();
-    else
-      return true;
-  }
-  Ghosts ghosts_of(typename Ghosts::Settings const& settings) const {
-    // Together two particles may cross the margin, and may be outside of a period by it.
+  Provider ghosts_of(typename Ghosts::Settings const& settings) const {
+    // Two particles together may move by the margin, and each may be outside a period by the margin.
     return {settings, radius_, 2 * SearchesOf::margin(radius_)};
   }
   static std::vector<Places<P>> now(Read bodies);
   void bring_up_to_date(All bodies, bool between_steps);
   [[gnu::cold]] void settle(All bodies);
-  /// Whether particles must go where they belong before the next step, even if the lists are valid for it.
-  bool must_settle();
+  /// Whether the lists are valid for the present positions, after a change of these. Throws ListsOutrun if steps on
+  /// trial have used lists that were no longer valid.
+  bool lists_serve(Read bodies);
   [[gnu::cold]] void renew(All bodies);
+  void join_frames() {
+    searches_.join_frames([&](auto& frames) { whole_case().join(frames); });
+  }
   void guard_positions(All bodies);
-  /// Ghosts belong to the positions that the lists were built from, those of the owned particles in `lists`. Adds their
-  /// positions to these.
+  /// Creates ghosts for the positions from which the lists were built. These are the positions of owned particles in
+  /// `lists`, to which the positions of the ghosts are added.
   template <class Lists>
   [[gnu::cold]] Kept restore_ghosts(All bodies, Lists& lists);
 
   double radius_;
-  std::vector<Ghosts> ghosts_;
+  std::vector<Provider> ghosts_;
   SearchesOf searches_;
   std::vector<Turnover> turnover_;
   bool const* sorted_;
   bool stale_ = true;  // positions changed since the last update of the searches
   bool wrap_due_ = false;
-  int unsettled_ = 0;  // builds since particles last went where they belong, on ranks
-  bool shown_ = true;  // others may have changed positions without the guards
+  int unsettled_ = 0;  // builds since particles were last moved to where they belong
+  bool shown_ = true;  // other code may have changed positions without the guards
   Trial<P, decltype(std::declval<SearchesOf&>().watch())> trial_;
 };
 
@@ -233,8 +233,7 @@ Neighbourhood<P, Search, Ghosts>::~Neighbourhood() = default;
 template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::positions_changed() {
   stale_ = true;
-  if constexpr (has_ranks)
-    for (Ghosts& each : ghosts_) each.positions_changed();
+  for (Provider& each : ghosts_) each.positions_changed();
 }
 
 template <class P, class Search, class Ghosts>
@@ -266,20 +265,9 @@ void Neighbourhood<P, Search, Ghosts>::check_lists(Read bodies) const {
 }
 
 template <class P, class Search, class Ghosts>
-void Neighbourhood<P, Search, Ghosts>::check_ghosts([[maybe_unused]] Read bodies,
-                                                    [[maybe_unused]] ColumnNumbers const* columns) const {
-  if constexpr (has_ranks)
-    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].check_ghosts(bodies[k], columns[k]);
-}
-
-template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::refresh_ghosts(All bodies, ColumnNumbers const* columns) {
   bring_up_to_date(bodies, false);
-  if constexpr (has_ranks)
-    Ghosts::refresh_all(ghosts_, bodies, columns);
-  else
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-      if (!columns[k].empty()) ghosts_[k].refresh(bodies[k], columns[k]);
+  Provider::refresh_all(ghosts_, bodies, columns);
 }
 
 template <class P, class Search, class Ghosts>
@@ -290,7 +278,7 @@ void Neighbourhood<P, Search, Ghosts>::refresh_ghosts(All bodies, std::size_t bo
 
 template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::run(All bodies, std::span<AnyPass const> passes, void* system) {
-  // While a list runs, all changes of fields are announced, so that only changed fields are copied to ghosts.
+  // While a list of passes runs, all changes of fields are announced, so that only changed fields are copied to ghosts.
   Announced const announced(ghosts_);
   for (AnyPass const& pass : passes) {
     if (!pass.active) continue;
@@ -309,7 +297,7 @@ void Neighbourhood<P, Search, Ghosts>::run(All bodies, std::span<AnyPass const> 
 template <class P, class Search, class Ghosts>
 int Neighbourhood<P, Search, Ghosts>::append(All bodies, std::size_t body, int number) {
   require_no_trial();
-  int const first = bodies[body].append(ranks().takes_new() ? number : 0);
+  int const first = bodies[body].append(whole_case().takes_new() ? number : 0);
   turnover_[body].added += number;
   return first;
 }
@@ -317,7 +305,7 @@ int Neighbourhood<P, Search, Ghosts>::append(All bodies, std::size_t body, int n
 template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::keep(All bodies, std::size_t body, Array<P, int const> const& numbers) {
   require_no_trial();
-  turnover_[body].removed += ranks().sum(bodies[body].size() - numbers.size());
+  turnover_[body].removed += whole_case().sum(bodies[body].size() - numbers.size());
   bodies[body].reorder(numbers);
 }
 
@@ -326,24 +314,21 @@ int Neighbourhood<P, Search, Ghosts>::extent_at(typename P::space const& space,
                                                 std::vector<Vec<P::dim, typename P::real>> const& positions) const {
   Particles<P, Fields<Position>> body(space, static_cast<int>(positions.size()));
   body.from_host(fields::position, positions);
-  if constexpr (has_ranks)
-    ghosts_[0].images().create(body);
-  else
-    ghosts_of(ghosts_[0].settings()).create(body);
+  ghosts_of(ghosts_[0].settings()).images().create(body);
   return body.extent();
 }
 
 template <class P, class Search, class Ghosts>
 bool Neighbourhood<P, Search, Ghosts>::begin_trial(All bodies) {
   if (trial_.under_way || shown_) {
-    // A trial does not outlive lists: they are built here rather than within the step.
+    // A trial ends when lists are built, so lists are built here rather than within the step.
     begin_step(bodies);
     bring_up_to_date(bodies, false);
     shown_ = false;
   }
   int here = 0;
   for (std::size_t k = 0; k < bodies.size(); ++k) here += bodies[k].size();
-  if (!searches_.watch().may_look_rarely() || ranks().on_any(here > decltype(trial_)::most)) return false;
+  if (!searches_.watch().may_look_rarely() || whole_case().anywhere(here > decltype(trial_)::most)) return false;
   trial_.begin(bodies, searches_.watch());
   trial_.stale = stale_, trial_.wrap_due = wrap_due_;
   return true;
@@ -353,7 +338,7 @@ template <class P, class Search, class Ghosts>
 bool Neighbourhood<P, Search, Ghosts>::trial_failed(All bodies) {
   if (!trial_.under_way) return false;
   bodies[0].space().fence("scree::trial");
-  return ranks().on_any(searches_.watch().outrun());
+  return whole_case().anywhere(searches_.watch().outrun());
 }
 
 template <class P, class Search, class Ghosts>
@@ -386,11 +371,12 @@ auto Neighbourhood<P, Search, Ghosts>::begin_restore(All bodies, Memory& memory)
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (bodies[k].size() != memory.owned[k]) bodies[k].resize(memory.owned[k]);
   turnover_ = memory.turnover;
-  Kept kept(bodies.size());
-  if constexpr (has_ranks) Ghosts::begin_again(ghosts_);
+  Kept kept;
+  Provider::begin_again(ghosts_);
   if constexpr (ListsWithSkin<Search, P>)
     if (memory.searches.builds > 0) kept = restore_ghosts(bodies, memory.searches);
-  searches_.restore(bodies[0].space(), memory.searches, ranks());
+  searches_.restore(bodies[0].space(), memory.searches);
+  join_frames();
   return kept;
 }
 
@@ -415,38 +401,42 @@ template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::bring_up_to_date(All bodies, bool between_steps) {
   bool const must = between_steps && wrap_due_;
   if (!must && !stale_) return;
-  if (!must && searches_.serve(now(bodies), ranks())) {
+  if (!must && lists_serve(bodies)) {
     stale_ = false;
     return guard_positions(bodies);
   }
-  // Within a step integrators rely on earlier positions, so particles must not jump.
-  wrap_due_ = must_settle();
+  // Integrators use earlier positions within a step, so particles must not jump to another place.
+  wrap_due_ = ghosts_[0].must_settle(unsettled_);
   if (between_steps) settle(bodies);
   renew(bodies);
 }
 
 template <class P, class Search, class Ghosts>
+bool Neighbourhood<P, Search, Ghosts>::lists_serve(Read bodies) {
+  auto&& watch = searches_.watch();
+  double crossed = watch.crossed(now(bodies));
+  if (watch.looks_now()) {
+    crossed = whole_case().largest(crossed);
+    if (trial_.under_way && whole_case().anywhere(watch.outrun())) throw ListsOutrun();
+  }
+  return watch.serves(crossed);
+}
+
+template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::settle(All bodies) {
-  if constexpr (has_ranks) Ghosts::before_settle(ghosts_, bodies);
+  Provider::before_settle(ghosts_, bodies);
   for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].settle(bodies[k]);
   wrap_due_ = false;
   unsettled_ = 0;
 }
 
 template <class P, class Search, class Ghosts>
-bool Neighbourhood<P, Search, Ghosts>::must_settle() {
-  if constexpr (has_ranks)
-    return ghosts_[0].must_settle(++unsettled_);
-  else
-    return has_ghosts();
-}
-
-template <class P, class Search, class Ghosts>
 void Neighbourhood<P, Search, Ghosts>::renew(All bodies) {
   stop_if_trial_failed(bodies);
-  if constexpr (has_ranks) Ghosts::before_create(ghosts_, bodies);
+  Provider::before_create(ghosts_, bodies);
   for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].create(bodies[k]);
-  searches_.renew(now(bodies), ranks());
+  searches_.renew(now(bodies));
+  join_frames();
   stale_ = trial_.under_way = false;
   guard_positions(bodies);
 }
@@ -460,16 +450,12 @@ template <class P, class Search, class Ghosts>
 template <class Lists>
 auto Neighbourhood<P, Search, Ghosts>::restore_ghosts(All bodies, Lists& lists) -> Kept {
   using namespace fields;
-  Kept kept(bodies.size());
-  if (!has_ghosts()) return kept;
+  if (!has_ghosts()) return std::nullopt;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     lists.kept[k].resize(std::size_t(bodies[k].size()));
     bodies[k].columns().from_host(bodies[k].number_of(position), lists.kept[k].data());
   }
-  if constexpr (has_ranks)
-    kept = Ghosts::scatter(ghosts_, bodies);
-  else
-    for (std::size_t k = 0; k < bodies.size(); ++k) ghosts_[k].create(bodies[k]);
+  Kept kept = Provider::scatter(ghosts_, bodies);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     lists.owned[k] = bodies[k].size();
     lists.kept[k] = values_of(bodies[k][position]);

@@ -15,7 +15,7 @@
 
 namespace scree {
 
-/// A periodic direction of the domain: coordinate `axis` in [low, high), m.
+/// A periodic direction of the domain, in which coordinate number `axis` is in [low, high), m.
 struct Period {
   int axis = 0;
   double low = 0, high = 0;
@@ -25,8 +25,8 @@ namespace detail {
 
 template <class P>
 struct Wrap {
-  Column<P, Position> x, at_rest;            // the second may be empty,
-  Column<P, Remainder<Position>> remainder;  // and this
+  Column<P, Position> x, at_rest;            // at_rest may be empty
+  Column<P, Remainder<Position>> remainder;  // may be empty
   int axis;
   typename P::real low, length;
   SCREE_FN void operator()(int i) const {
@@ -41,7 +41,7 @@ struct Wrap {
 
  private:
   using real = typename P::real;
-  /// The rounding error of the position is added to its remainder.
+  /// Wraps a coordinate and adds the rounding error to its remainder.
   SCREE_FN static void wrap(real& place, real& remainder, real const& away) {
     auto const wrapped = two_sum(place, -away);
     auto const sum = two_sum(wrapped.value, wrapped.remainder + remainder);
@@ -49,8 +49,8 @@ struct Wrap {
   }
 };
 
-/// Numbers the images that a particle needs and, in the second sweep, writes their origins. Image k of particle j is
-/// shifted by one period up (j is near the low end) or down.
+/// A loop that counts the images of each particle and, in the second sweep, writes their origins and shifts. An image
+/// is shifted up by one period if the particle is near the low end, and down if it is near the high end.
 template <class P>
 struct FindImages {
   Column<P, Position> x;
@@ -78,13 +78,13 @@ struct FindImages {
   }
 };
 
-/// Copies some columns, and shifts ghosts once their positions are copied.
+/// A loop that copies columns to images, and shifts the images if their positions are copied.
 template <class P>
 struct CopyToImages {
   static constexpr int most = 16;
   UntypedColumn columns[most];
   int count;
-  Column<P, Position> places;  // empty, unless positions are among the columns
+  Column<P, Position> places;  // empty unless positions are among the columns
   Span<int const> origin;
   ArraySpan<P, Vec<P::dim, typename P::real> const> shift;
   SCREE_FN void operator()(int ghost) const {
@@ -95,24 +95,24 @@ struct CopyToImages {
 
 }  // namespace detail
 
-/// Ghost particles of one body that represent its periodic images. A ghost carries copies of the fields of its origin,
-/// so that terms need not know about periods. Images of all particles within support and margin of the ends of each
-/// period are made at create(), and follow their origins. A GhostProvider.
+/// A GhostProvider for the periodic images of one body. A ghost carries copies of the fields of its origin, so terms
+/// need not take periods into account. create() makes images of all particles within support plus margin of an end of a
+/// period, and refresh() updates them from their origins.
 template <class P>
 class PeriodicImages {
  public:
   using Settings = std::vector<Period>;
-  /// Lengths in m. Throws std::invalid_argument if a period is shorter than two supports, if its axis does not
-  /// exist, or if two periods have the same axis.
+  /// Takes periods, support (m) and margin (m). Throws std::invalid_argument if a period is shorter than two supports,
+  /// if its axis does not exist, or if two periods have the same axis.
   PeriodicImages(std::vector<Period> periods, double support, double margin = 0);
 
   bool any() const { return !periods_.empty(); }
   Settings const& settings() const { return periods_; }
   std::string signature() const;
 
-  /// Moves owned particles that left a period to its other end, together with their rest positions.
+  /// Moves owned particles that have left a period to its other end, and their rest positions with them.
   [[gnu::cold]] void settle(AnyParticles<P>& body) const;
-  /// Replaces all ghosts according to the positions of the owned particles.
+  /// Replaces all ghosts, according to the positions of the owned particles.
   [[gnu::cold]] void create(AnyParticles<P>& body);
   /// Copies columns of the origins to the ghosts.
   void refresh(AnyParticles<P>& body, ColumnNumbers columns) const {
@@ -134,7 +134,7 @@ class PeriodicImages {
 template <class P>
 PeriodicImages<P>::PeriodicImages(std::vector<Period> periods, double support, double margin)
     : periods_(std::move(periods)), reach_(support + margin) {
-  double const least = 2 * support * (1 - 1e-12);  // a period of exactly two supports may be smaller by rounding
+  double const least = 2 * support * (1 - 1e-12);  // rounding may shorten a period of exactly two supports
   bool has_period[P::dim] = {};
   for (Period const& period : periods_) {
     check_setting(period.axis >= 0 && period.axis < P::dim, "the axis of a period", period.axis,

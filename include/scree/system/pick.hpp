@@ -8,7 +8,8 @@
 namespace scree {
 namespace detail {
 
-/// Writes the numbers of the particles that satisfy a condition, or of all others, in ascending order.
+/// A loop that writes the indices of the particles that satisfy a condition, or of all other particles, in ascending
+/// order.
 template <class P, class Condition>
 struct Pick {
   Condition condition;
@@ -25,8 +26,8 @@ struct Pick {
 
 }  // namespace detail
 
-/// The numbers of the owned particles of a body for which `condition(i)` is `wanted`, in ascending order. A condition
-/// has `reads`, like a term.
+/// Returns the indices of the owned particles of a body for which `condition(i)` equals `wanted`, in ascending order. A
+/// condition has a list `reads`, like a term.
 template <class Condition, class Body>
 auto pick(Body const& body, Condition const& condition, bool wanted = true) {
   using P = typename Body::policy;

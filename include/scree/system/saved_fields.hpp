@@ -10,14 +10,14 @@
 
 namespace scree::detail {
 
-/// Copies some columns to others, word by word: neighbouring threads copy neighbouring words. Several threads share the
-/// columns, because each thread waits for one word after another.
+/// A loop that copies columns word by word, with adjacent threads copying adjacent words. Several threads share the
+/// columns, because a thread waits for one word after another.
 struct CopyColumns {
   static constexpr int most = 32;
   UntypedColumn from[most], to[most];
   int count = 0;
-  int values = 0;   ///< of each column
-  int sharing = 1;  ///< threads for each value
+  int values = 0;   ///< number of values in each column
+  int sharing = 1;  ///< number of threads for each value
 
   SCREE_FN void operator()(int thread) const {
     std::size_t const first = std::size_t(thread % values), step = std::size_t(values);
@@ -31,7 +31,7 @@ template <class Space>
 class SavedFields {
  public:
   void save(UntypedParticles<Space> const& particles) { copy(particles, true); }
-  /// The number of particles must be unchanged.
+  /// Restores the saved fields. The number of particles must be unchanged.
   void restore(UntypedParticles<Space> const& particles) { copy(particles, false); }
 
  private:

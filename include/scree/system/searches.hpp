@@ -12,17 +12,17 @@
 #include <type_traits>
 #include <vector>
 
-// The searches of a system: one for each ordered pair of bodies that interact, made when it is first requested. Bodies
-// are numbered.
+// The searches of a system: one for each ordered pair of interacting bodies, made on the first request. Bodies are
+// identified by their numbers.
 namespace scree {
 
-/// A search by lists with a skin, built from a given cell list of the sources.
+/// Whether N is a search by lists with a skin, built from a given cell list of the sources.
 template <class N, class P>
 concept ListsWithSkin = NeighbourSearch<N, P> &&
     requires(N search, Positions<P> x, typename CellList<P>::View const& cells) {
   { N::skin } -> std::convertible_to<double>;
   { N::reach(1.0) } -> std::convertible_to<double>;
-  typename N::OfOthers;  // the same for sources other than the targets
+  typename N::OfOthers;  // the lists for sources other than the targets
   search.build(x, x, cells);
 };
 
@@ -31,7 +31,7 @@ template <class Search>
 concept HasSkin = requires {
   Search::skin;
 };
-/// One message for each part of a search that is missing.
+/// Whether a search is complete; otherwise the compiler reports each missing part.
 template <class Search, class P>
 constexpr bool explain_search() {
   constexpr bool searches = NeighbourSearch<Search, P>, is_whole = !HasSkin<Search> || ListsWithSkin<Search, P>;
@@ -45,7 +45,7 @@ constexpr bool explain_search() {
   return searches && is_whole;
 }
 
-/// The cell lists that lists are built from.
+/// The cell lists from which neighbour lists are built.
 template <class P, class Search>
 struct cells_of {
   using type = CellList<P>;
@@ -55,10 +55,13 @@ requires requires { typename Search::Cells; }
 struct cells_of<P, Search> {
   using type = typename Search::Cells;
 };
-/// Replaces SkinWatch for searches that are updated after each change of positions.
+/// A substitute for SkinWatch for searches that are updated after each change of positions.
 template <class P>
 struct NoWatch {
   struct History {};
+  bool looks_now() const { return false; }
+  double crossed(std::vector<Places<P>> const&) const { return 1; }
+  bool serves(double) const { return false; }
   bool may_look_rarely() const { return false; }
   History look_rarely() const { return {}; }
   void look_always() const {}
@@ -72,28 +75,25 @@ struct NoWatch {
 template <class P, class Search>
 class Searches {
  public:
-  using Now = std::vector<Places<P>> const&;  // of each body
+  using Now = std::vector<Places<P>> const&;  // positions of each body
   using OfOthers = Search;
-  /// Searches among a number of bodies within a radius, m.
+  /// Makes searches among a number of bodies within a radius, m.
   Searches(double radius, std::size_t bodies) : radius_(radius), bodies_(bodies), slots_(bodies * bodies) {
     detail::explain_search<Search, P>();
   }
 
-  /// The distance that two particles may move before renew(), m.
+  /// Returns the distance that two particles together may move before renew() is needed, m.
   static double margin(double /*radius*/) { return 0; }
-  /// Call it once after each change of positions: whether the searches are still valid.
-  template <class Ranks = OneRank>
-  bool serve(Now, Ranks const& = {}) {
-    return false;
-  }
-  /// Marks all searches as outdated. Call it when they are not valid for the present positions.
-  template <class Ranks = OneRank>
-  void renew(Now, Ranks const& = {}) {
+  /// Marks all searches as outdated. Call this when the searches are not valid for the present positions.
+  void renew(Now) {
     for (auto& slot : slots_) slot.current = false;
   }
-  /// Neighbours of a body's particles among themselves, for these positions.
+  /// Extends the frames of grids with `join(frames)`. There are none.
+  template <class Join>
+  void join_frames(Join const&) const {}
+  /// Returns the neighbours of the particles of a body in the same body, for these positions.
   Search const& within(std::size_t body, Now now) { return among(body, body, now); }
-  /// Neighbours of the target body's particles among the source body's, for these positions.
+  /// Returns the neighbours of the particles of the target body in the source body, for these positions.
   OfOthers const& among(std::size_t target, std::size_t source, Now now) {
     auto& slot = slots_[target * bodies_ + source];
     if (!slot.search) slot.search = std::make_unique<Search>(radius_);
@@ -101,26 +101,23 @@ class Searches {
     slot.current = true;
     return *slot.search;
   }
-  /// The number of builds of the search of the first body among itself.
+  /// Returns the number of builds of the search for neighbours of the first body in itself.
   long builds() const { return slots_[0].search ? slots_[0].search->builds() : 0; }
   using Watch = detail::NoWatch<P>;
-  /// Nothing to watch: no lists outlive a change of positions.
+  /// Returns an empty watch, because no lists outlive a change of positions.
   Watch watch() const { return {}; }
   /// Whether the searches are not valid for these positions.
   bool outdated(Now) const { return false; }
 
-  /// The order of neighbours depends only on the positions.
+  /// The state that, in addition to the positions, determines the order of neighbours; here it is empty.
   struct Memory {
-    /// The memory of a number of bodies.
+    /// Makes the state for a number of bodies.
     explicit Memory(std::size_t /*bodies*/) {}
   };
-  /// Nothing to remember.
+  /// Returns an empty state.
   Memory memory() const { return Memory(bodies_); }
-  /// Takes over the state from memory(). Nothing is stored, so the next request updates the search.
-  template <class Ranks = OneRank>
-  void restore(typename P::space const&, Memory const&, Ranks const& = {}) {
-    renew({});
-  }
+  /// Restores the state from memory(). The state is empty, so the next request updates the search.
+  void restore(typename P::space const&, Memory const&) { renew({}); }
 
  private:
   struct Slot {
@@ -129,11 +126,11 @@ class Searches {
   };
   double radius_;
   std::size_t bodies_;
-  std::vector<Slot> slots_;  // by target and source
+  std::vector<Slot> slots_;  // for each pair of target and source
 };
 
-/// Lists with a skin, which are valid until particles of any body have moved too far. One watch over the displacements
-/// of all bodies is common to all lists, and all lists with the same source share one cell list.
+/// Lists with a skin, which are valid until particles of any body have moved too far. All lists share one watch over
+/// the displacements of all bodies, and all lists with the same source share one cell list.
 template <class P, class Search>
 requires ListsWithSkin<Search, P>
 class Searches<P, Search> {
@@ -149,15 +146,15 @@ class Searches<P, Search> {
         others_(bodies * bodies) {}
 
   static double margin(double radius) { return Search::skin * radius; }
-  template <class Ranks = OneRank>
-  bool serve(Now now, Ranks const& ranks = {}) {
-    return watch_.serves(now, ranks);
-  }
-  template <class Ranks = OneRank>
-  void renew(Now now, Ranks const& ranks = {}) {
+  void renew(Now now) {
     watch_.keep(now);
     find_frames(now);
-    ranks.join(frames_);
+  }
+  /// Extends the frames of grids around the particles of each body: `join(frames)`. Call it after renew() and
+  /// restore().
+  template <class Join>
+  void join_frames(Join const& join) {
+    join(frames_);
   }
 
   Search const& within(std::size_t body, Now now) { return up_to_date(of_[body].own, now, body, body); }
@@ -172,16 +169,15 @@ class Searches<P, Search> {
     return crossed >= 1 && std::isfinite(crossed);  // lists are also built from positions that are not finite
   }
 
-  /// The state, in addition to the positions, that determines the order of neighbours.
+  /// The state that, in addition to the positions, determines the order of neighbours.
   using Memory = typename Watch::Memory;
   Memory memory() const { return watch_.memory(); }
   /// Restores the state of the searches from memory().
-  template <class Ranks = OneRank>
-  void restore(typename P::space const& space, Memory const& memory, Ranks const& ranks = {}) {
+  void restore(typename P::space const& space, Memory const& memory) {
     watch_.restore(space, memory);
     std::vector<Places<P>> kept(of_.size());
     for (std::size_t body = 0; body < kept.size(); ++body) kept[body] = {watch_.kept(body), memory.owned[body]};
-    if (memory.builds > 0) find_frames(kept), ranks.join(frames_);
+    if (memory.builds > 0) find_frames(kept);
     for (auto& each : of_) each.cells.built = each.own.built = -1;
     for (auto& each : others_) each.built = -1;
   }
@@ -192,7 +188,7 @@ class Searches<P, Search> {
   template <class T>
   struct Built {
     std::unique_ptr<T> what;
-    long built = -1;  // number of the build
+    long built = -1;  // number of the build that it belongs to
   };
   struct OfBody {
     Built<Cells> cells;
@@ -206,7 +202,7 @@ class Searches<P, Search> {
   List const& up_to_date(Built<List>& list, Now now, std::size_t target, std::size_t source) {
     if (!list.what) list.what = std::make_unique<List>(radius_);
     if (list.built != watch_.builds()) {
-      // A list may be requested first after the others were built; it uses the same positions as they did.
+      // A list that is first requested after the others were built uses the same positions as the others.
       Places<P> const targets{watch_.kept(target), now[target].owned};
       list.what->build(targets.targets(), watch_.kept(source), cells_of(source));
       list.built = watch_.builds();
@@ -228,9 +224,9 @@ class Searches<P, Search> {
 
   double radius_;
   Watch watch_;
-  std::vector<Frame<P::dim>> frames_;  // of the owned particles of each body, on all ranks
+  std::vector<Frame<P::dim>> frames_;  // frame of the owned particles of each body
   std::vector<OfBody> of_;
-  std::vector<Built<OfOthers>> others_;  // by target and source
+  std::vector<Built<OfOthers>> others_;  // for each pair of target and source
 };
 
 }  // namespace scree

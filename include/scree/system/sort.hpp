@@ -7,7 +7,7 @@
 
 namespace scree {
 namespace detail {
-/// The indices of particles sorted by cell, for cells with the given edge (m).
+/// Returns the indices of the particles sorted by cell, for cells with the given edge (m).
 template <class P>
 Array<P, int const> order_along_cells(Positions<P> const& x, double edge) {
   CellList<P> cells(edge);
@@ -17,7 +17,7 @@ Array<P, int const> order_along_cells(Positions<P> const& x, double edge) {
 }  // namespace detail
 
 /// Sorts the owned particles of a body by cells of the given edge (m), so that neighbours in space are close in memory.
-/// Repeat it where particles flow. Ghosts must be created again afterwards.
+/// If particles flow, sort again from time to time. Ghosts must be created again afterwards.
 template <class P>
 void sort_along_cells(AnyParticles<P>& body, double edge) {
   using namespace fields;

@@ -10,17 +10,17 @@
 
 namespace scree::detail {
 
-/// Steps that may have used neighbour lists which were no longer valid, because these are checked rarely: the state at
-/// their beginning, to which a system returns if that turns out to be so.
+/// The state of a system at the beginning of a trial. The steps of a trial may use neighbour lists that are no longer
+/// valid, because lists are checked rarely; if so, the system returns to this state.
 template <class P, class Watch>
 class Trial {
  public:
   bool under_way = false;
-  long failures = 0;                     ///< so far
-  bool stale = false, wrap_due = false;  ///< of the system at the beginning
+  long failures = 0;                     ///< number of failed trials so far
+  bool stale = false, wrap_due = false;  ///< state of the system at the beginning of the trial
 
-  /// Particles of a rank, with its walls, above which a check after each update costs less than a trial, whose copies
-  /// need a fifth of the memory.
+  /// The number of particles of a system, including walls, above which a check after each update costs less than a
+  /// trial, whose copies need a fifth of the memory.
   static constexpr int most = 1 << 22;
 
   void begin(AllBodiesRead<P> bodies, Watch&& watch) {

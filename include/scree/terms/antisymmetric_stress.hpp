@@ -8,20 +8,20 @@
 #include "density.hpp"
 #include "kernel_correction.hpp"
 
-// The spin of the material from its plain velocity gradient L, and the stress that is adjoint to it. A rotation W has
-// the plain gradient W A with the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, as if A were a moment of
-// inertia. See docs/theory/granular.md, "Soil that turns".
+// The spin of the material from its plain velocity gradient L, and the stress that is adjoint to the spin. A rotation W
+// has the plain gradient W A with the moment $A = -\sum_j V_j x_{ij} \otimes \nabla W_{ij}$, which acts like a moment
+// of inertia. See docs/theory/granular.md, "Soil that turns".
 namespace scree {
 
-/// The antisymmetric part of the stress in the momentum balance, as its axial vector.
+/// The axial vector of the antisymmetric part of the stress in the momentum balance.
 struct AntisymmetricStress : Axial<"antisymmetric stress", "Pa"> {};
 
 namespace fields {
 inline constexpr AntisymmetricStress antisymmetric_stress{};
 }  // namespace fields
 
-/// The axial vector w with (tr(A) - A) w = b; in 2D w = b/tr(A). So it is in space, too, where neighbours on a line
-/// leave the part of w along the line open. `moment` is -A.
+/// Returns the axial vector w with (tr(A) - A) w = b. In 2D, w = b/tr(A). The same holds in 3D if the neighbours lie on
+/// a line, which leaves the component of w along the line undetermined. `moment` is -A.
 template <int Dim, class Real>
 SCREE_FN Vec<axial_size<Dim>, Real> over_inertia(Vec<axial_size<Dim>, Real> const& b, Mat<Dim, Real> const& moment) {
   auto w = zero<Vec<axial_size<Dim>, Real>>();
@@ -35,14 +35,14 @@ SCREE_FN Vec<axial_size<Dim>, Real> over_inertia(Vec<axial_size<Dim>, Real> cons
   return w;
 }
 
-/// The rotation W whose plain gradient W A has the antisymmetric part of L, 1/s.
+/// Returns the rotation W (1/s) whose plain gradient W A has the same antisymmetric part as L.
 template <int Dim, class Real>
 SCREE_FN Mat<Dim, Real> spin_of(Mat<Dim, Real> const& L, Mat<Dim, Real> const& moment) {
   return antisymmetric<Dim, Real>(over_inertia<Dim, Real>(twice_axial<Dim, Real>(L), moment));
 }
 
-/// The antisymmetric part with which the work of the stress on a rotation is zero: that which makes (sigma + a x) A
-/// symmetric.
+/// The antisymmetric part a of the stress, which makes (sigma + a x) A symmetric, so the stress does no work on a
+/// rotation.
 struct AntisymmetricStressOf {
   using reads = Fields<Stress, FirstMoment>;
   using writes = Fields<AntisymmetricStress>;
@@ -62,11 +62,12 @@ struct AntisymmetricStressOf {
   }
 };
 
-/// Its part in the divergence of the stress: $(1/\rho_i) \sum_j V_j (a_i + a_j) \times \nabla W_{ij}$.
+/// The contribution of the antisymmetric stress a to the acceleration, $(1/\rho_i) \sum_j V_j (a_i + a_j) \times \nabla
+/// W_{ij}$.
 template <class Rho>
 struct AntisymmetricStressDivergence {
   static_assert(detail::explain_density<Rho>());
-  Rho rho;  ///< of i
+  Rho rho;  ///< density of i
   using reads = Fields<Volume, AntisymmetricStress>;
   using reads_i = typename Rho::reads;
   using adds = Fields<Acceleration>;

@@ -5,17 +5,19 @@
 #include "../core/principal.hpp"
 #include "density.hpp"
 
-// Against the tensile instability: Gray, Monaghan & Swift (2001), for tension-positive stress.
+// The artificial stress of Gray, Monaghan & Swift (2001) against the tensile instability, for tension-positive stress.
 namespace scree {
 
-/// $R_i = -\epsilon \sigma_i^+/\rho_i^2$, $\sigma^+$ the part of the stress with positive principal values.
+/// The artificial stress $R_i = -\epsilon \sigma_i^+/\rho_i^2$ with $\sigma^+$, the part of the stress with positive
+/// principal values.
 struct ArtificialStress : Symmetric3<"artificial stress", "m^5/(kg s^2)"> {};
 
 namespace fields {
 inline constexpr ArtificialStress artificial_stress{};
 }  // namespace fields
 
-/// R of a particle, a point pass before the sum. In 2D the tension out of the plane is excluded.
+/// The artificial stress of a particle, from a point pass that runs before the sum over neighbours. In 2D, tension out
+/// of the plane is excluded.
 template <class Rho = UniformDensity>
 struct ArtificialStressOf {
   static_assert(detail::explain_density<Rho>());
@@ -36,8 +38,9 @@ struct ArtificialStressOf {
   }
 };
 
-/// $du_i/dt = \sum_j m_j f^4 (R_i + R_j) \cdot \nabla W_{ij}$, f = W(r)/W(spacing): repels the neighbours of a
-/// stretched particle that come closer than the spacing, and hardly affects the others. Momentum is conserved.
+/// The acceleration $du_i/dt = \sum_j m_j f^4 (R_i + R_j) \cdot \nabla W_{ij}$ with f = W(r)/W(spacing). The term
+/// repels neighbours of a particle in tension that come closer than the spacing, and hardly affects the others.
+/// Momentum is conserved.
 template <class Rho = UniformDensity>
 struct ArtificialStressDivergence {
   static_assert(detail::explain_density<Rho>());

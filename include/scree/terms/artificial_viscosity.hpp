@@ -9,8 +9,9 @@ namespace scree {
 
 namespace detail {
 
-/// $m_j \Pi_{ij} \nabla W_{ij}$, m/s^2, with $\Pi_{ij} = (\alpha c_s) h/\rho_{ij} \, a/(\lvert x_{ij}\rvert^2 + 0.01
-/// h^2)$, $\rho_{ij}$ the mean of both. `speed` is alpha c_s (m/s), `approach` is a (m^2/s), 0 or less.
+/// Returns $m_j \Pi_{ij} \nabla W_{ij}$, m/s^2, with $\Pi_{ij} = (\alpha c_s) h/\rho_{ij} \, a/(\lvert x_{ij}\rvert^2 +
+/// 0.01 h^2)$ and the mean density $\rho_{ij}$ of the two particles. `speed` is alpha c_s (m/s), `approach` is a
+/// (m^2/s), 0 or less.
 template <class Real, class IJ>
 SCREE_LOOP_FN auto viscous_acceleration(Real const& rho_i, Real const& rho_j, Real const& volume_j, Real const& speed,
                                         Real const& approach, IJ const& ij) {
@@ -21,13 +22,13 @@ SCREE_LOOP_FN auto viscous_acceleration(Real const& rho_i, Real const& rho_j, Re
 
 }  // namespace detail
 
-/// ArtificialViscosity of particles of two bodies, each with a density of its own. The force of a pair is that of the
-/// other body with the opposite sign if both have the same `speed`.
+/// ArtificialViscosity between the particles of two bodies with different densities. The forces on the two particles of
+/// a pair are equal and opposite if both bodies use the same `speed`.
 template <class Rho, class OtherRho>
 struct InterfaceViscosity {
   static_assert(detail::explain_density<Rho>() && detail::explain_density<OtherRho>());
-  Rho rho;             ///< of i
-  OtherRho other_rho;  ///< of j
+  Rho rho;             ///< density of i
+  OtherRho other_rho;  ///< density of j
   double speed = 0;    ///< alpha c_s, m/s
   using reads = Fields<Volume, Velocity>;
   using reads_i = typename Rho::reads;
@@ -47,10 +48,10 @@ struct InterfaceViscosity {
   }
 };
 
-/// $du_i/dt = \sum_j m_j \Pi_{ij} \nabla W_{ij}$ with $\Pi_{ij} = (\alpha c_s) h/\rho_{ij} \, u_{ij} \cdot
-/// x_{ij}/(\lvert x_{ij}\rvert^2 + 0.01 h^2)$ for approaching pairs, which repels them: Monaghan (1992); Zhu et al.
-/// (2024), eq. 3.10, for tension-positive stress. It acts like a physical viscosity, see effective_viscosity(): `speed`
-/// is the product alpha c_s, because that must not change with the stiffness of the material.
+/// The acceleration $du_i/dt = \sum_j m_j \Pi_{ij} \nabla W_{ij}$ with $\Pi_{ij} = (\alpha c_s) h/\rho_{ij} \, u_{ij}
+/// \cdot x_{ij}/(\lvert x_{ij}\rvert^2 + 0.01 h^2)$, which repels approaching pairs (Monaghan 1992; Zhu et al. 2024,
+/// eq. 3.10, for tension-positive stress). The term acts like a physical viscosity (see effective_viscosity()). `speed`
+/// is the product alpha c_s, because this product must not change with the stiffness of the material.
 template <class Rho = UniformDensity>
 struct ArtificialViscosity {
   static_assert(detail::explain_density<Rho>());
@@ -65,12 +66,13 @@ struct ArtificialViscosity {
   }
 };
 
-/// The kinematic viscosity (m^2/s) that the artificial one is equivalent to in shear flow, nu = alpha c_s h/(4 (dim +
-/// 2)). With $u_{ij}$ expanded to second order, $\sum_j V_j (u_{ij} \cdot x_{ij})/r^2 \nabla W_{ij} \to -1/2 \langle n
-/// n n n\rangle:(\nabla \nabla u) \int W' r \, dV$, $\langle n_a n_b n_c n_d\rangle = (\delta_{ab} \delta_{cd} +
-/// \delta_{ac} \delta_{bd} + \delta_{ad} \delta_{bc})/(\dim (\dim + 2))$ and $-\int W' r \, dV = \dim$. The result is
-/// alpha c_s h/(2 (dim + 2)) laplace(u) (Monaghan 2005), and half of it because only approaching pairs act. Cubic
-/// lattices with h = 1.5 spacings reach 0.875 of it in 2D and 0.915 in 3D, disordered particles 0.91 and 0.94.
+/// Returns the kinematic viscosity nu = alpha c_s h/(4 (dim + 2)), m^2/s, to which the artificial viscosity is
+/// equivalent in shear flow. With $u_{ij}$ expanded to second order, $\sum_j V_j (u_{ij} \cdot x_{ij})/r^2 \nabla
+/// W_{ij} \to -1/2 \langle n n n n\rangle:(\nabla \nabla u) \int W' r \, dV$, $\langle n_a n_b n_c n_d\rangle =
+/// (\delta_{ab} \delta_{cd} + \delta_{ac} \delta_{bd} + \delta_{ad} \delta_{bc})/(\dim (\dim + 2))$ and $-\int W' r \,
+/// dV = \dim$. The result is alpha c_s h/(2 (dim + 2)) laplace(u) (Monaghan 2005), halved because only approaching
+/// pairs contribute. With h = 1.5 spacings, a square lattice reaches 0.875 of nu and a cubic lattice 0.915; disordered
+/// particles reach 0.91 in 2D and 0.94 in 3D.
 inline double effective_viscosity(double speed, double h, int dim) { return speed * h / (4 * (dim + 2)); }
 
 }  // namespace scree

@@ -13,12 +13,12 @@
 #include <string>
 #include <type_traits>
 
-// Momentum that goes with the mass of species that particles exchange. See docs/theory/segregation.md.
+// The momentum carried by the mass of the species that particles exchange. See docs/theory/segregation.md.
 namespace scree {
 
-/// The momentum that a particle gains with the mass of species from others, less that which this mass has at its own
-/// velocity, per volume and time: $\frac{1}{2} \sum_j q_{ij} (u_j - u_i)/V_i$ with the mass $q_{ij} = -q_{ji}$ that
-/// goes from j to i in a time. Zero where all species have one density.
+/// The momentum that a particle gains with the mass of species from its neighbours, less the momentum of this mass at
+/// the particle's own velocity, per volume and time: $\frac{1}{2} \sum_j q_{ij} (u_j - u_i)/V_i$ with the mass $q_{ij}
+/// = -q_{ji}$ that moves from j to i per time. The field is zero if all species have the same density.
 struct CarriedMomentum : Vector<"carried momentum", "N/m^3"> {
   static constexpr bool may_stay_zero = true;
 };
@@ -27,7 +27,7 @@ namespace fields {
 inline constexpr CarriedMomentum carried_momentum{};
 }  // namespace fields
 
-/// Species of one density, whose exchange carries no mass.
+/// The exchange of species of equal density, which carries no mass.
 struct CarriesNothing {
   using reads = Fields<>;
   using adds = Fields<>;
@@ -35,9 +35,9 @@ struct CarriesNothing {
   SCREE_FN void operator()(I const&, J const&, Weight const&, Exchange const&, S&) const {}
 };
 
-/// The part of a pair in CarriedMomentum: the mass of the exchanged volumes moves with the mean velocity of both
-/// particles. The total momentum stays, and so does the kinetic energy: the exchange of a pair gives $\frac{1}{2}
-/// q_{ij} u_i \cdot u_j$ to i and takes it from j.
+/// The contribution of a pair to CarriedMomentum: the exchanged mass moves with the mean velocity of the two particles.
+/// Total momentum and kinetic energy are conserved: the exchange of a pair gives $\frac{1}{2} q_{ij} u_i \cdot u_j$ to
+/// i and takes it from j.
 template <int N>
 class CarriesMomentum {
   InBothPrecisions<N> above_last_;
@@ -45,25 +45,25 @@ class CarriesMomentum {
  public:
   using reads = Fields<Velocity>;
   using adds = Fields<CarriedMomentum>;
-  /// The densities of the species, kg/m^3.
+  /// Takes the densities of the species, kg/m^3.
   explicit CarriesMomentum(Vec<N, double> const& densities) {
     for (int k = 0; k < N; ++k) above_last_.set(k, densities[k] - densities[N - 1]);
   }
-  /// Adds the part of a pair from the rates of the concentrations, `weight` times `exchange`, 1/s.
+  /// Adds the contribution of a pair, given the rates of the concentrations as `weight` times `exchange`, 1/s.
   template <class I, class J, class Weight, class Exchange, class S>
   SCREE_FN void operator()(I const& i, J const& j, Weight const& weight, Exchange const& exchange, S& sum) const {
     using namespace fields;
-    // The exchanged volumes add up to zero, so that equal densities exchange no mass at all.
+    // The exchanged volumes add up to zero, so species of equal density exchange no mass at all.
     Weight gained = above_last_.template of<Weight>(0) * exchange[0];
     for (int k = 1; k < N - 1; ++k) gained += above_last_.template of<Weight>(k) * exchange[k];
     sum[carried_momentum] += (weight * gained / 2) * (j[velocity] - i[velocity]);
   }
 };
 
-/// The acceleration of a particle by CarriedMomentum.
+/// The acceleration of a particle due to CarriedMomentum.
 struct AccelerationByCarriedMomentum {
   using reads = Fields<Density, CarriedMomentum>;
-  /// Returns the carried momentum over the density, m/s^2.
+  /// Returns the carried momentum divided by the density, m/s^2.
   template <class I>
   SCREE_FN auto acceleration(I const& i) const {
     using namespace fields;
@@ -72,9 +72,9 @@ struct AccelerationByCarriedMomentum {
   }
 };
 
-/// A physics model whose species have densities of their own, for instance Granular with MixtureDensity:
-/// species_densities() returns rho_k (kg/m^3), a Vec<N, double>. It has stages, and those after the first one read
-/// CarriedMomentum.
+/// Whether the species of a physics model have different densities, as in Granular with MixtureDensity:
+/// species_densities() returns rho_k (kg/m^3) as a Vec<N, double>. A model of this kind has stages, and each stage
+/// after the first reads CarriedMomentum.
 template <class Physics>
 concept GivesSpeciesDensities = requires(Physics const& physics) {
   physics.species_densities();
@@ -111,12 +111,12 @@ concept CarriesMass = requires {
 };
 }  // namespace detail
 
-/// The number of species of a physics model that have densities of their own, of a combined one those of its mechanics;
-/// 0 if there is one density.
+/// The number of species with different densities in a physics model, or in the mechanics of a combined model; 0 if
+/// there is one density.
 template <class Physics>
 inline constexpr int species_with_densities = detail::species_densities_in<Physics>::species;
 
-/// The densities of the species of a physics model, kg/m^3, of a combined one those of its mechanics.
+/// Returns the densities of the species of a physics model, or of the mechanics of a combined model, kg/m^3.
 template <class Physics>
 auto species_densities_of(Physics const& physics) {
   if constexpr (GivesSpeciesDensities<Physics>)
@@ -126,13 +126,14 @@ auto species_densities_of(Physics const& physics) {
 }
 
 namespace detail {
-/// A transport whose closure has densities of the species.
+/// Whether the closure of a transport has densities of the species.
 template <class Transport>
 concept HasDensitiesOfClosure = requires(Transport const& transport) {
   transport.closure.densities[0];
 };
-/// Throws std::invalid_argument unless the densities of the species in a closure (kg/m^3) have the ratios of those in
-/// the law: all species are packed alike, so densities of grains serve as well.
+/// Throws std::invalid_argument unless the densities of the species have the same ratios in a closure (kg/m^3) as in
+/// the law. Only ratios matter because all species have the same packing fraction, so a closure may use the densities
+/// of the grains.
 template <class Densities>
 void check_same_densities(Densities const& of_law, Densities const& of_closure) {
   for (int k = 1; k < int(of_law.size()); ++k) {
@@ -143,7 +144,7 @@ void check_same_densities(Densities const& of_law, Densities const& of_closure) 
   }
 }
 
-/// Whether a transport carries the momentum of the mass that it moves, if it moves any.
+/// Whether a transport that moves mass also carries the momentum of this mass; true if it moves none.
 template <class Mechanics, class Transport>
 constexpr bool explain_carried_momentum() {
   constexpr bool carried = species_with_densities<Mechanics> == 0 ||

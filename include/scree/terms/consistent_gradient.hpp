@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// The moments of the kernel and of its gradient that a C1-consistent gradient needs, as one matrix $\begin{pmatrix}
+/// The matrix of the moments of the kernel and its gradient for a C1-consistent gradient, $\begin{pmatrix}
 /// \sum V W & -\sum V W x_{ij}^T \\ \sum V \nabla W & -\sum V \nabla W \otimes x_{ij} \end{pmatrix}$ (Zhu et al. 2024,
 /// eqs E11 to E14).
 struct ConsistencyMatrix : Labelled<"consistency matrix", "1, m, 1/m, 1"> {
@@ -20,14 +20,14 @@ namespace fields {
 inline constexpr ConsistencyMatrix consistency_matrix{};
 }  // namespace fields
 
-/// $\sum_j X_j V_j (W, \nabla W)$: eqs E9 and E10.
+/// The vector $\sum_j X_j V_j (W, \nabla W)$ for a C1-consistent gradient (Zhu et al. 2024, eqs E9 and E10).
 template <Field F>
 struct ConsistencyVector : Labelled<"consistency vector", "as the field"> {
   template <int Dim, class Real>
   using value = Vec<Dim + 1, Real>;
 };
 
-/// The sum for the consistency matrix, the particle itself included.
+/// The sum for the consistency matrix, including the particle itself.
 struct ConsistencyMatrixSum {
   using reads = Fields<Volume>;
   using adds = Fields<ConsistencyMatrix>;
@@ -37,12 +37,12 @@ struct ConsistencyMatrixSum {
   SCREE_FN void operator()(I const&, J const& j, IJ const& ij, S& sum) const {
     using namespace fields;
     using Real = typename IJ::real;
-    // Lengths in units of h make all entries of order one.
+    // With lengths in units of h, all entries are of order one.
     auto const test = joined(ij.W(), ij.h() * ij.gradW()), trial = joined(Real(1), -ij.x / ij.h());
     sum[consistency_matrix] += outer(j[volume] * test, trial);
   }
 };
-/// The sum for the consistency vector of a field, the particle itself included.
+/// The sum for the consistency vector of a field, including the particle itself.
 template <Field F>
 struct ConsistencyVectorSum {
   using reads = Fields<Volume, F>;
@@ -52,12 +52,13 @@ struct ConsistencyVectorSum {
   template <class I, class J, class IJ, class S>
   SCREE_FN void operator()(I const& i, J const& j, IJ const& ij, S& sum) const {
     auto const test = joined(ij.W(), ij.h() * ij.gradW());
-    // Differences to i keep precision where the field is nearly uniform.
+    // Differences from the value of i preserve precision if the field is nearly uniform.
     sum[ConsistencyVector<F>{}] += j[fields::volume] * (j[F{}] - i[F{}]) * test;
   }
 };
 
-/// The gradient from the two sums, 1/m times the field; h in m.
+/// Returns the gradient from the consistency matrix and vector, in units of the field per m; h is in m. Returns zero if
+/// the matrix is nearly singular.
 template <class M, class B>
 SCREE_FN auto consistent_gradient(M const& matrix, B const& vector, double h) {
   using Real = typename M::Scalar;
@@ -69,9 +70,9 @@ SCREE_FN auto consistent_gradient(M const& matrix, B const& vector, double h) {
   return result;
 }
 
-/// Solves for the value and the gradient together and keeps the gradient, which is exact for linear fields on any set
-/// of neighbours that spans the space: Liu & Liu; Zhu et al. (2024), appendix E. A particle whose neighbours do not
-/// span the space gets zero.
+/// The C1-consistent gradient, from one linear system for the value and the gradient, which is exact for linear fields
+/// on any set of neighbours that spans the space (Liu & Liu; Zhu et al. 2024, appendix E). The gradient is zero for a
+/// particle whose neighbours do not span the space.
 template <Field F>
 struct ConsistentGradient {
   double h;  ///< smoothing length, m

@@ -7,9 +7,9 @@
 // The continuity equation for formulations that evolve density, and the volume that follows from the density.
 namespace scree {
 
-/// $d(\rho_i)/dt = \rho_i \sum_j V_j (u_i - u_j) \cdot \nabla W_{ij} = -\rho_i \operatorname{tr}(L_i)$ with the plain
-/// velocity gradient: Zhu et al. (2024), eq. 2.3. The sum is the rate of $\sum_j V_j W_{ij}$ at constant volumes, so
-/// that density and number density stay consistent.
+/// The continuity equation $d(\rho_i)/dt = \rho_i \sum_j V_j (u_i - u_j) \cdot \nabla W_{ij} = -\rho_i
+/// \operatorname{tr}(L_i)$ with the plain velocity gradient L (Zhu et al. 2024, eq. 2.3). The sum is the rate of change
+/// of $\sum_j V_j W_{ij}$ at constant volumes, so density and number density stay consistent.
 struct Continuity {
   using reads = Fields<Volume, Velocity>;
   using reads_i = Fields<Density>;
@@ -22,7 +22,7 @@ struct Continuity {
   }
 };
 
-/// V = m/rho, a point pass to run before others use the volume.
+/// The volume V = m/rho, from a point pass that must run before passes that use the volume.
 struct VolumeOfDensity {
   using reads = Fields<Mass, Density>;
   using writes = Fields<Volume>;

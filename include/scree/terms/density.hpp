@@ -7,12 +7,12 @@
 
 #include <concepts>
 
-// The density of a particle for use in terms, and its inverse, which saves a division.
+// The density of a particle for use in terms, and the inverse density, which saves a division.
 namespace scree {
 
-/// A density for use in terms, as a value:
-///   reads           fields of a particle that it depends on
-///   of(i)           the density of a particle, kg/m^3, a number of the kind of i[volume], so that it may be a pack
+/// Whether R is a density for use in terms, with
+///   reads           the list of the fields that the density depends on
+///   of(i)           the density of a particle, kg/m^3, of the same type as i[volume], which may be a pack
 ///   inverse_of(i)   one over the density of a particle, m^3/kg
 template <class R>
 concept DensityOf = requires(R const& rho, Record<detail::AnyPoint, Merge<Fields<Volume>, reads_of<R>>> const& i) {
@@ -28,7 +28,7 @@ constexpr bool explain_density() {
 }
 }  // namespace detail
 
-/// Constant density of all particles (Zhu et al. 2024 switch (2.3) off).
+/// The constant density of all particles (Zhu et al. 2024 omit the continuity equation, eq. 2.3).
 struct UniformDensity {
   double value = 0;            ///< rho, kg/m^3
   double inverse = 1 / value;  ///< m^3/kg

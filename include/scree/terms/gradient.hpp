@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// Gradient of a scalar field.
+/// The gradient of a scalar field.
 template <Field F>
 struct Gradient : Labelled<"gradient", "per m"> {
   template <int Dim, class Real>
@@ -19,7 +19,8 @@ template <Field F>
 inline constexpr Gradient<F> gradient{};
 }  // namespace fields
 
-/// $\nabla X_i = \sum_j V_j (X_j - X_i) \nabla W_{ij}$: exact for constants, second order where the support is full.
+/// The plain gradient $\nabla X_i = \sum_j V_j (X_j - X_i) \nabla W_{ij}$, which is exact for constants and of second
+/// order if the support is full.
 template <Field F>
 struct PlainGradient {
   using reads = Fields<Volume, F>;

@@ -7,11 +7,11 @@
 
 namespace scree {
 
-/// The unit vector along gravity; zero where there is none.
+/// The unit vector along gravity; zero without gravity.
 struct GravityDirection {
   double first = 0, last = -1;  ///< components along the first and the last coordinate, -
 
-  /// The component of a vector along gravity.
+  /// Returns the component of a vector along gravity.
   template <class X>
   SCREE_FN typename X::Scalar component(X const& x) const {
     using Real = typename X::Scalar;
@@ -19,9 +19,10 @@ struct GravityDirection {
   }
 };
 
-/// Acts against the last coordinate, which is up, or is turned from there towards the first one, for slopes.
+/// Gravity, which acts downwards, against the last coordinate. For slopes, its direction is inclined from there towards
+/// the first coordinate.
 struct Gravity {
-  double magnitude = 9.81;  ///< m/s^2, 0 or more; an inclination of pi turns it upwards
+  double magnitude = 9.81;  ///< m/s^2, 0 or more; for upward gravity set the inclination to pi
   double inclination = 0;   ///< rad, from -pi to pi
 
   bool operator==(Gravity const&) const = default;
@@ -36,9 +37,9 @@ struct Gravity {
   }
   /// Throws std::invalid_argument if a parameter is out of range.
   void check() const { check_parameters(*this, "Gravity"); }
-  /// Whether it acts upwards: an angle in degrees is a usual cause.
+  /// Whether gravity acts upwards, as it may if the inclination was given in degrees.
   bool acts_upwards() const { return magnitude > 0 && Kokkos::cos(inclination) < -1e-9; }
-  /// The acceleration of gravity, m/s^2, as a vector of type X.
+  /// Returns the acceleration of gravity, m/s^2, as a vector of type X.
   template <class X>
   SCREE_FN X vector() const {
     using Real = typename X::Scalar;
@@ -47,7 +48,7 @@ struct Gravity {
     g[X::RowsAtCompileTime - 1] = Real(-magnitude * Kokkos::cos(inclination));
     return g;
   }
-  /// The components of the unit vector along gravity; zero without gravity.
+  /// Returns the unit vector along gravity; zero without gravity.
   GravityDirection direction() const {
     double const sign = magnitude > 0 ? 1 : magnitude < 0 ? -1 : 0;
     return {sign * Kokkos::sin(inclination), -sign * Kokkos::cos(inclination)};
@@ -61,7 +62,7 @@ concept HasGravity = requires(Physics const& physics) {
 };
 }  // namespace detail
 
-/// The gravity of a physics model, also of a combined one, which has that of its mechanics.
+/// Returns the gravity of a physics model or of the mechanics of a combined model.
 template <class Physics>
 Gravity const& gravity_of(Physics const& physics) {
   if constexpr (requires { physics.mechanics; })

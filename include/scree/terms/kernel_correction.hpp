@@ -5,19 +5,19 @@
 #include "../core/symmetric.hpp"
 #include "gradient.hpp"
 
-// Kernel-gradient correction (Randles & Libersky 1996; Bonet & Lok 1999): with M_i = -sum_j V_j x_ij (x) gradW_ij,
-// which is the identity where the support is full and regular, M_i^-1 gradW_ij makes gradients of linear fields exact.
-// The correction is applied to the sum, once per particle.
+// The kernel-gradient correction (Randles & Libersky 1996; Bonet & Lok 1999): with M_i = -sum_j V_j x_ij (x) gradW_ij,
+// which is the identity if the support is full and regular, the corrected kernel gradient M_i^-1 gradW_ij gives exact
+// gradients of linear fields. The correction is applied to the sum, once per particle.
 namespace scree {
 
-/// $\sum_j V_j x_{ij} \otimes \nabla W_{ij} = -M_i$, symmetric.
+/// The first moment of the kernel gradient, $\sum_j V_j x_{ij} \otimes \nabla W_{ij} = -M_i$, a symmetric tensor.
 struct FirstMoment : Tensor<"first moment of the kernel gradient", "1"> {};
 
 namespace fields {
 inline constexpr FirstMoment first_moment{};
 }  // namespace fields
 
-/// The first moment over all given particles.
+/// The sum for the first moment of the kernel gradient.
 struct FirstMomentSum {
   using reads = Fields<Volume>;
   using adds = Fields<FirstMoment>;
@@ -29,8 +29,9 @@ struct FirstMomentSum {
   }
 };
 
-/// The gradient g of a scalar with M g = `plain`, or G of a vector with G M = `plain`, derivatives along the columns.
-/// If the neighbours do not span the space, `plain` is returned unchanged.
+/// Returns the gradient g of a scalar with M g = `plain`, or the gradient G of a vector with G M = `plain`, in which
+/// each column holds the derivatives along one axis. If the neighbours do not span the space, `plain` is returned
+/// unchanged.
 template <class Plain, class Matrix>
 SCREE_FN Plain corrected_gradient(Plain const& plain, Matrix const& moment) {
   using Real = typename Matrix::Scalar;
@@ -48,7 +49,7 @@ SCREE_FN Plain corrected_gradient(Plain const& plain, Matrix const& moment) {
   }
 }
 
-/// The gradient of a scalar field from PlainGradient and FirstMomentSum.
+/// The corrected gradient of a scalar field, from PlainGradient and FirstMomentSum.
 template <Field F>
 struct CorrectedGradient {
   using reads = Fields<>;

@@ -7,15 +7,16 @@
 
 namespace scree {
 
-/// $\sum_j V_j W_{ij}$ over one body, the particle itself included if it belongs to that body; 1 where the support is
-/// full.
+/// The kernel sum $\sum_j V_j W_{ij}$ over one body, including the particle itself if it belongs to that body; 1 if the
+/// support is full.
 template <class Body>
 struct KernelSum : Labelled<"kernel sum", "1"> {
   template <int Dim, class Real>
   using value = Real;
 };
 
-/// $\sum_j V_j \nabla W_{ij}$ over one body: points towards that body's particles; 0 where the support is full.
+/// The gradient $\sum_j V_j \nabla W_{ij}$ over one body, which points towards the particles of that body; 0 if the
+/// support is full.
 template <class Body>
 struct KernelGradient : Labelled<"kernel gradient", "1/m"> {
   template <int Dim, class Real>
@@ -29,7 +30,7 @@ template <class Body>
 inline constexpr KernelGradient<Body> kernel_gradient{};
 }  // namespace fields
 
-/// The kernel sum and its gradient over one body.
+/// The sums for the kernel sum and its gradient over one body.
 template <class Body>
 struct KernelSums {
   using reads = Fields<Volume>;
@@ -45,7 +46,7 @@ struct KernelSums {
 };
 
 namespace math {
-/// x/|x|, or zero where |x| is at most `least`.
+/// Returns x/|x|, or zero if |x| is at most `least`.
 template <class X>
 SCREE_FN X unit_vector(X const& x, typename X::Scalar least = 0) {
   auto const length = norm(x);

@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// div(g grad f) of two scalar fields.
+/// The generalised Laplacian div(g grad f) of two scalar fields f and g.
 template <Field F, Field G>
 struct Laplacian : Labelled<"Laplacian", "per m^2"> {
   template <int Dim, class Real>
@@ -20,9 +20,9 @@ template <Field F, Field G>
 inline constexpr Laplacian<F, G> laplacian{};
 }  // namespace fields
 
-/// $\operatorname{div}(g \nabla f)_i = \sum_j V_j (g_i + g_j)(f_i - f_j) \, x_{ij} \cdot \nabla W_{ij}/(\lvert
-/// x_{ij}\rvert^2 + \eta^2)$, $\eta = 0.1 h$: Zhu et al. (2024), eq. 3.8. With neighbours in the material only it
-/// implies df/dn = 0 at its boundary.
+/// The term $\operatorname{div}(g \nabla f)_i = \sum_j V_j (g_i + g_j)(f_i - f_j) \, x_{ij} \cdot \nabla W_{ij}/(\lvert
+/// x_{ij}\rvert^2 + \eta^2)$ with $\eta = 0.1 h$ (Zhu et al. 2024, eq. 3.8). If all neighbours belong to the material,
+/// the sum implies df/dn = 0 at the boundary of the material.
 template <Field F, Field G>
 struct DoubleSumLaplacian {
   using reads = Fields<Volume, F, G>;

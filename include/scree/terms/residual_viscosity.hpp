@@ -5,15 +5,16 @@
 #include "artificial_viscosity.hpp"
 #include "velocity_gradient.hpp"
 
-// Artificial viscosity that acts on the part of the relative velocity of two particles that a linear velocity field
-// does not explain. See docs/theory/granular.md.
+// An artificial viscosity for the part of the relative velocity of two particles that a linear velocity field does not
+// explain. See docs/theory/granular.md.
 namespace scree {
 
-/// The strain rate from the corrected velocity gradient, for predictions of relative velocities. It falls to zero where
-/// neighbours fill less than the support at a plane surface: with few neighbours a linear field explains every relative
-/// velocity. On a lattice with h = 1.5 spacings the mean diagonal entry of the negative first moment is 1 inside, 0.62
-/// (in the plane) and 0.67 (in space) in the row at a plane surface, and 0.08 and 0.03 with one neighbour a spacing
-/// away. The strain rate is complete above 0.5 and zero below 0.3.
+/// Returns the strain rate from the corrected velocity gradient, for predictions of relative velocities. The strain
+/// rate falls to zero if neighbours fill less of the support than at a plane surface, because a linear field explains
+/// every relative velocity of a few neighbours. On a lattice with h = 1.5 spacings, the mean diagonal entry of the
+/// negative first moment is 1 in the interior; in the row at a plane surface, it is 0.62 in 2D and 0.67 in 3D; with a
+/// single neighbour at a distance of one spacing, it is 0.08 in 2D and 0.03 in 3D. The strain rate is not reduced if
+/// this entry is above 0.5, and is zero if it is below 0.3.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> trusted_strain_rate(Mat<Dim, Real> const& corrected,
                                                             Mat<Dim, Real> const& first_moment) {
@@ -23,10 +24,10 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> trusted_strain_rate(Mat<Dim, Real> const
 
 namespace detail {
 
-/// An approach $u_{ij} \cdot x_{ij}$ (m^2/s, 0 or less) minus the harmonic mean of two predictions of it. The result is
-/// 0 or less, not below the approach, and all of the approach if a prediction has the particles separate. The
-/// harmonic mean is the arithmetic one times the limiter of van Leer (1974), $4 r/(1 + r)^2$ with the ratio r of the
-/// predictions.
+/// Returns an approach $u_{ij} \cdot x_{ij}$ (m^2/s, 0 or less) minus the harmonic mean of two predictions of it. The
+/// result lies between the approach and 0, and equals the approach if the particles separate according to one of the
+/// predictions. The harmonic mean is the arithmetic mean times the limiter of van Leer (1974), $4 r/(1 + r)^2$ with the
+/// ratio r of the predictions.
 template <class Real>
 SCREE_LOOP_FN Real unexplained(Real const& approach, Real const& by_i, Real const& by_j) {
   using namespace math;
@@ -36,10 +37,10 @@ SCREE_LOOP_FN Real unexplained(Real const& approach, Real const& by_i, Real cons
 
 }  // namespace detail
 
-/// ArtificialViscosity with a residual in place of $u_{ij} \cdot x_{ij}$: the strain rates D of both particles predict
-/// $x_{ij} \cdot D_i x_{ij}$ and $x_{ij} \cdot D_j x_{ij}$. A linear velocity field feels no force; velocities that
-/// alternate between neighbours feel all of it. The force is antisymmetric and along $x_{ij}$, so that momentum and
-/// angular momentum are kept, and takes energy from every pair that it acts on.
+/// ArtificialViscosity with a residual in place of $u_{ij} \cdot x_{ij}$, for which the strain rates D of the two
+/// particles predict $x_{ij} \cdot D_i x_{ij}$ and $x_{ij} \cdot D_j x_{ij}$. The force is zero in a linear velocity
+/// field and acts in full on velocities that alternate between neighbours. It is antisymmetric and along $x_{ij}$, so
+/// it conserves momentum and angular momentum, and it removes energy from every pair on which it acts.
 template <class Rho = UniformDensity>
 struct ResidualArtificialViscosity {
   static_assert(detail::explain_density<Rho>());

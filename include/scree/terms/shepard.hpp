@@ -7,27 +7,27 @@
 
 namespace scree {
 
-/// $\sum_j X_j V_j W_{ij}$.
+/// The weighted sum $\sum_j X_j V_j W_{ij}$ of a field.
 template <Field F>
 struct WeightedSum : Labelled<"weighted sum", "as the field"> {
   template <int Dim, class Real>
   using value = typename F::template value<Dim, Real>;
 };
-/// $\sum_j V_j W_{ij}$.
+/// The sum of the weights, $\sum_j V_j W_{ij}$.
 struct Weight : Scalar<"weight", "1"> {};
 
 namespace fields {
 inline constexpr Weight weight{};
 }  // namespace fields
 
-/// Smoothed value of a field, separate from the field itself, whose old value neighbours still read.
+/// The smoothed value of a field, stored separately because neighbours still read the old value of the field.
 template <Field F>
 struct Smoothed : Labelled<"smoothed field", "as the field"> {
   template <int Dim, class Real>
   using value = typename F::template value<Dim, Real>;
 };
 
-/// The two sums of a Shepard mean, the particle itself included.
+/// The two sums of a Shepard mean, including the particle itself.
 template <Field F>
 struct ShepardSums {
   using reads = Fields<Volume, F>;
@@ -43,8 +43,8 @@ struct ShepardSums {
   }
 };
 
-/// $X_i = \sum_j X_j V_j W_{ij} / \sum_j V_j W_{ij}$: Zhu et al. (2024), eq. 3.12. Exact for constants on any set of
-/// neighbours.
+/// The Shepard mean $X_i = \sum_j X_j V_j W_{ij} / \sum_j V_j W_{ij}$ (Zhu et al. 2024, eq. 3.12), which is exact for
+/// constants on any set of neighbours.
 template <Field F>
 struct ShepardMean {
   using reads = Fields<>;

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// $du_i/dt = \sum_j m_j (\sigma_i/\rho_i^2 + \sigma_j/\rho_j^2) \cdot \nabla W_{ij}$, m = rho V: Zhu et al. (2024),
-/// eq. 3.9. Symmetric in i and j, so that momentum is conserved.
+/// The acceleration $du_i/dt = \sum_j m_j (\sigma_i/\rho_i^2 + \sigma_j/\rho_j^2) \cdot \nabla W_{ij}$ with m = rho V
+/// (Zhu et al. 2024, eq. 3.9). The stress term is symmetric in i and j, so momentum is conserved.
 template <class Rho = UniformDensity>
 struct StressDivergence {
   static_assert(detail::explain_density<Rho>());
@@ -24,13 +24,13 @@ struct StressDivergence {
   }
 };
 
-/// $du_i/dt = (1/\rho_i) \sum_j V_j (\sigma_i + \sigma_j) \cdot \nabla W_{ij}$, for materials of different densities.
-/// These forces do the same work as the stress does on the plain velocity gradient, so that a jump of the density adds
-/// no energy. With uniform density it equals the form above. Momentum is conserved.
+/// The acceleration $du_i/dt = (1/\rho_i) \sum_j V_j (\sigma_i + \sigma_j) \cdot \nabla W_{ij}$, for materials of
+/// different densities. These forces do the same work as the stress does on the plain velocity gradient, so a jump in
+/// density adds no energy. With uniform density, this form equals StressDivergence. Momentum is conserved.
 template <class Rho>
 struct InterfaceStressDivergence {
   static_assert(detail::explain_density<Rho>());
-  Rho rho;  ///< of i
+  Rho rho;  ///< density of i
   using reads = Fields<Volume, Stress>;
   using reads_i = typename Rho::reads;
   using adds = Fields<Acceleration>;

@@ -7,15 +7,15 @@
 
 namespace scree {
 
-/// Symmetric part of the corrected velocity gradient.
+/// The symmetric part of the corrected velocity gradient.
 struct StrainRate : Symmetric<"strain rate", "1/s"> {};
 
 namespace fields {
 inline constexpr StrainRate strain_rate{};
 }  // namespace fields
 
-/// $L_i = \sum_j V_j (u_j - u_i) \otimes \nabla W_{ij}$ (Zhu et al. 2024, eqs 3.14 and 3.15 with the order of the
-/// difference corrected).
+/// The plain velocity gradient $L_i = \sum_j V_j (u_j - u_i) \otimes \nabla W_{ij}$ (Zhu et al. 2024, eqs 3.14 and 3.15
+/// with the order of the difference corrected).
 struct VelocityGradientSum {
   using reads = Fields<Volume, Velocity>;
   using adds = Fields<VelocityGradient>;
@@ -27,8 +27,8 @@ struct VelocityGradientSum {
   }
 };
 
-/// $\dot\gamma = \sqrt{2 e:e}$ with the deviator e of the symmetric part of L; the deviator is taken in three
-/// dimensions, so that 2D is plane strain.
+/// Returns the shear rate $\dot\gamma = \sqrt{2 e:e}$ with the deviator e of the symmetric part of L. The deviator is
+/// three-dimensional, so 2D means plane strain.
 template <int Dim, class Real>
 SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   Mat<Dim, Real> const rate = (L + transposed(L)) / 2;
@@ -36,7 +36,7 @@ SCREE_FN Real shear_rate_of(Mat<Dim, Real> const& L) {
   return Kokkos::sqrt(Kokkos::max(Real(0), 2 * (squared_norm(rate) - sq(volumetric) / 3)));
 }
 
-/// Shear rate from the corrected velocity gradient: a truncated support does not lower it.
+/// The shear rate from the corrected velocity gradient, which a truncated support does not lower.
 struct CorrectedShearRate {
   using reads = Fields<>;
   using writes = Fields<ShearRate>;
@@ -47,7 +47,7 @@ struct CorrectedShearRate {
   }
 };
 
-/// The velocity gradient itself, exact for linear velocities where the neighbours span the space.
+/// The corrected velocity gradient, which is exact for linear velocity fields if the neighbours span the space.
 struct CorrectedVelocityGradient {
   using reads = Fields<>;
   using writes = Fields<VelocityGradient>;

@@ -5,21 +5,20 @@
 #include "../fields/standard.hpp"
 #include "../pairs/term.hpp"
 
-// The force of the material on a wall: the reaction to the force of the wall on the material.
+// The force of the material on a wall, which is the reaction to the force of the wall on the material.
 namespace scree {
 
-/// Force of the material on a wall particle; in 2D on a slice one metre deep. Its sum over the particles is the force
-/// on a wall, the sum of (x - c) x F its moment about c, the sum of $F \cdot u_w$ the power that it takes from the
-/// material.
+/// The force F of the material on a wall particle, in 2D on a slice one metre deep. Summed over the particles of a
+/// wall, F is the force on the wall, (x - c) x F is the moment about c, and $F \cdot u_w$ is the power that the wall
+/// takes from the material.
 struct WallForce : Vector<"wall force", "N"> {};
 
 namespace fields {
 inline constexpr WallForce wall_force{};
 }  // namespace fields
 
-/// $F_w = -\sum_i m_i a_{iw}$ over the material, m = rho V. a_iw is the contribution of wall particle w, as i sees it
-/// through the lens, to the acceleration of material particle i. This term sums over the material for each wall
-/// particle.
+/// The force $F_w = -\sum_i m_i a_{iw}$ on wall particle w, summed over the material particles i, with m = rho V. a_iw
+/// is the contribution of w to the acceleration of i, with the values of w that the lens gives for i.
 template <class Rho, class Lens, class... Terms>
 struct Reaction : Terms... {
   Rho rho;
@@ -30,7 +29,8 @@ struct Reaction : Terms... {
   using reads_j = Merge<Fields<Volume>, typename Rho::reads, detail::record_i<Terms>..., reads_i_of<Lens>>;
   using adds = Fields<WallForce>;
 
-  /// Takes the density, the lens through which the material sees the wall, and the terms of its acceleration.
+  /// Takes the density of the material, the lens for the values of the wall, and the terms of the acceleration of the
+  /// material.
   Reaction(Rho const& r, Lens const& l, Terms const&... terms) : Terms(terms)..., rho(r), lens(l) {}
 
   template <class W, class I, class WI, class S>

@@ -4,17 +4,18 @@
 
 #include "density.hpp"
 
-// XSPH (Monaghan 1989): particles move with a velocity between their own and the mean of their surroundings, which
-// keeps them ordered, while momentum uses their own. A physics model with XSPH lists Evolves<Position,
-// TransportVelocity> instead of Position (fields/rate.hpp) and adds the pass
+// XSPH (Monaghan 1989): particles move with a velocity between their own and the mean velocity of their neighbours,
+// which keeps them ordered, while the momentum equation uses their own velocity. A physics model with XSPH lists
+// Evolves<Position, TransportVelocity> instead of Position (fields/rate.hpp) and adds the pass
 //   pair_pass_then<Material>(label, MixVelocity{epsilon}, over<Material>(MeanVelocityDifference<>{rho}))
-// which in a staggered integrator is the stage after that of the velocity.
+// In a staggered integrator, this pass is the stage after the stage of the velocity.
 namespace scree {
 
-/// Velocity with which a particle moves, m/s.
+/// The velocity with which a particle moves, m/s.
 struct TransportVelocity : Vector<"transport velocity", "m/s"> {};
 
-/// $\sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$, $\rho_{ij}$ the mean of both.
+/// The mean velocity difference $\sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$, with the mean density $\rho_{ij}$ of the two
+/// particles.
 struct VelocityDifference : Vector<"mean velocity difference", "m/s"> {};
 
 namespace fields {
@@ -22,7 +23,7 @@ inline constexpr TransportVelocity transport_velocity{};
 inline constexpr VelocityDifference velocity_difference{};
 }  // namespace fields
 
-/// The sum for the mean velocity difference of a particle and its neighbours.
+/// The sum for the mean velocity difference between a particle and its neighbours.
 template <class Rho = UniformDensity>
 struct MeanVelocityDifference {
   static_assert(detail::explain_density<Rho>());
@@ -38,10 +39,10 @@ struct MeanVelocityDifference {
   }
 };
 
-/// $u_i + \epsilon \sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$: symmetric, so that sum m u equals that of the particles'
-/// own velocities.
+/// The transport velocity $u_i + \epsilon \sum_j m_j/\rho_{ij} (u_j - u_i) W_{ij}$. The sum is antisymmetric, so the
+/// total of m u is the same as with the particles' own velocities.
 struct MixVelocity {
-  double epsilon = 0.5;  ///< 0: own velocity, 1: mean of the surroundings
+  double epsilon = 0.5;  ///< 0: own velocity, 1: mean velocity of the neighbours
   using reads = Fields<Velocity>;
   using writes = Fields<TransportVelocity>;
   template <class I, class T, class O>

@@ -7,8 +7,8 @@
 
 namespace scree::detail {
 
-/// The bytes of a file. Throws std::runtime_error with the file and the reason if it cannot be read, or if it is larger
-/// than a fourth of the memory that is available.
+/// Returns the bytes of a file. Throws std::runtime_error, with the file and the reason, if the file cannot be read or
+/// is larger than a quarter of the available memory.
 std::string bytes_of(std::filesystem::path const& file);
 
 }  // namespace scree::detail

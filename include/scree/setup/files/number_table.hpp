@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-// Tables of numbers from text: comma-separated values.
+// Tables of numbers from text with comma-separated values.
 namespace scree::detail {
 
 std::string_view trimmed(std::string_view text);
@@ -19,11 +19,11 @@ std::string_view trimmed(std::string_view text);
 std::vector<std::string_view> split_at(std::string_view line, char separator);
 
 struct NumberTable {
-  std::string name;  ///< of the file
+  std::string name;  ///< name of the file
   std::vector<std::vector<double>> rows = {};
-  std::vector<int> lines = {};  ///< of each row in the file, from 1
+  std::vector<int> lines = {};  ///< line of each row in the file, from 1
 
-  /// Throws std::runtime_error for a number; row and column from 0.
+  /// Throws std::runtime_error about the number in a row and a column, both counted from 0.
   [[noreturn]] void fail(std::size_t row, std::size_t column, std::string const& why) const {
     fail_at(lines[row], column, why);
   }
@@ -33,8 +33,8 @@ struct NumberTable {
   }
 };
 
-/// A table of numbers, whose columns have these units. Throws std::runtime_error with the file, the line and the
-/// column.
+/// Returns the table of numbers in a text, whose columns have these units. Throws std::runtime_error, with the file,
+/// the line and the column, if the text does not follow this format.
 NumberTable read_numbers(std::string_view text, std::string const& name, std::vector<std::string> const& units);
 
 }  // namespace scree::detail

@@ -12,14 +12,14 @@
 
 namespace scree::detail {
 
-/// Reads a text line by line and splits each line at blanks. All messages name the file and the line. The text must
-/// outlive the reader.
+/// A reader of text, line by line, which splits each line at blanks. All its messages name the file and the line. The
+/// text must outlive the reader.
 class TextReader {
  public:
   TextReader(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
 
-  /// Advances to the next line with at least one word; returns false at the end of the text. `joined`: a backslash at
-  /// the end of a line continues it.
+  /// Advances to the next line with at least one word; returns false at the end of the text. With `joined`, a backslash
+  /// at the end of a line continues the line.
   bool next(bool joined = false) {
     words_.clear();
     while (!rest_.empty() && words_.empty())
@@ -29,7 +29,7 @@ class TextReader {
   }
   std::vector<std::string_view> const& words() const { return words_; }
   std::string_view word(std::size_t k) const { return words_[k]; }
-  /// Number of the line, from 1.
+  /// Returns the number of the line, from 1.
   int line() const { return line_; }
 
   [[noreturn]] void fail(std::string const& why) const {
@@ -38,7 +38,7 @@ class TextReader {
   void demand(bool holds, char const* why) const {
     if (!holds) fail(why);
   }
-  /// A finite number.
+  /// Returns word k as a finite number. Throws std::runtime_error if it is not one.
   double number(std::size_t k) const {
     double const value = converted<double>(k, "a number");
     if (!std::isfinite(value)) fail("'" + std::string(words_[k]) + "' is not a finite number");

@@ -13,7 +13,7 @@
 
 namespace scree::detail {
 
-/// The area of the parallelogram of two vectors, positive where b is to the left of a.
+/// Returns the area of the parallelogram of two vectors, positive if b is to the left of a.
 inline double area_between(Vec<2, double> const& a, Vec<2, double> const& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Whether x is in a counter-clockwise triangle or on its sides.
@@ -23,8 +23,8 @@ inline bool is_in_triangle(std::array<Vec<2, double>, 3> const& abc, Vec<2, doub
   return true;
 }
 
-/// The corners of a polygon in space, projected on the plane to which its area is projected without loss
-/// (Newell's normal), counter-clockwise. None if the polygon crosses itself so that its area is zero.
+/// Returns the corners of a polygon in space, projected onto the plane in which its area is largest (perpendicular to
+/// Newell's normal), counter-clockwise. The result is empty if the polygon crosses itself so that its area is zero.
 inline std::vector<Vec<2, double>> in_own_plane(std::vector<Vec<3, double>> const& polygon) {
   Vec<3, double> normal = Vec<3, double>::Zero();
   double size = 0, length = 0;
@@ -42,9 +42,10 @@ inline std::vector<Vec<2, double>> in_own_plane(std::vector<Vec<3, double>> cons
   return result;
 }
 
-/// Cuts a simple polygon into triangles, as places of its corners: ears, the corners that can be cut off without
-/// touching another one, go one after the other, those without area last. Takes a time of up to the third power of the
-/// number of corners. Returns fewer triangles than corners less two if the polygon crosses itself.
+/// Cuts a simple polygon into triangles, given as places of its corners. Ears, the corners that can be cut off without
+/// touching another one, are removed one after the other, those without area last. The time is at most proportional to
+/// the third power of the number of corners. Returns fewer triangles than the number of corners minus two if the
+/// polygon crosses itself.
 inline std::vector<std::array<std::size_t, 3>> clip_ears(std::vector<Vec<3, double>> const& polygon) {
   auto const x = in_own_plane(polygon);
   std::vector<std::size_t> left(x.size());

@@ -18,12 +18,12 @@ namespace scree::detail {
 
 /// An edge of a triangle, from its corner `corner` to the next one.
 struct Side {
-  int low, high;  ///< vertices, ordered
+  int low, high;  ///< vertices, in ascending order
   int triangle, corner;
-  bool forwards;  ///< from `low` to `high`
+  bool forwards;  ///< whether it runs from `low` to `high`
 };
 
-/// The sides of all triangles, sorted so that the sides of one edge are next to each other.
+/// Returns the sides of all triangles, sorted so that the sides of one edge are next to each other.
 inline std::vector<Side> sides_of(Triangles const& mesh) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.size());
@@ -38,16 +38,16 @@ inline std::vector<Side> sides_of(Triangles const& mesh) {
   return sides;
 }
 
-/// The connections of triangles: across edges of two triangles, and across those of more where shells touch. There the
-/// triangles are ordered around the edge; one behind which the inside begins is joined with the one at which it ends.
+/// The connections of triangles across edges. Where shells touch, an edge has more than two triangles: these are
+/// ordered around the edge, and each triangle at which the inside begins is joined with the one at which it ends.
 struct Edges {
   static constexpr int none = -1;
   struct Across {
     int triangle = none;
     bool same_direction = false;  // both triangles run along the edge in the same direction: one of them is turned over
   };
-  std::vector<std::array<Across, 3>> across;  ///< each side of each triangle
-  std::vector<int> open, crowded;             ///< a triangle at each edge of one triangle, and of more than two
+  std::vector<std::array<Across, 3>> across;  ///< the triangle across each side of each triangle
+  std::vector<int> open, crowded;             ///< a triangle at each edge that has only one, or more than two
 
   explicit Edges(Triangles const& mesh) : across(mesh.size()) {
     auto const sides = sides_of(mesh);
@@ -69,9 +69,9 @@ struct Edges {
     across[std::size_t(one.triangle)][std::size_t(one.corner)] = {other.triangle, same_direction};
     across[std::size_t(other.triangle)][std::size_t(other.corner)] = {one.triangle, same_direction};
   }
-  /// Joins the sides of an edge of more than two triangles if equal numbers run forwards and backwards. Turning
-  /// counter-clockwise about the edge, the inside begins at a side that runs backwards and ends at one that runs
-  /// forwards. Sides in one direction are joined in the order of their triangles in the file.
+  /// Joins the sides of an edge that has more than two triangles, if equal numbers of them run forwards and backwards.
+  /// In a counter-clockwise turn about the edge, the inside begins at a side that runs backwards and ends at one that
+  /// runs forwards. Sides with the same angle and direction are joined in the order of their triangles in the file.
   void join_around(Triangles const& mesh, std::vector<Side> sides) {
     long const forwards = std::count_if(sides.begin(), sides.end(), [](Side const& side) { return side.forwards; });
     if (2 * forwards != long(sides.size())) return;
@@ -98,8 +98,8 @@ struct Edges {
       begun.pop_back();
     }
   }
-  /// The angle of each triangle about its edge, counter-clockwise from one of them, rad; equal where they differ by
-  /// less than 1e-6.
+  /// Returns the angle of each triangle about its edge, counter-clockwise from the first triangle, rad. Angles that
+  /// differ by less than 1e-6 are made equal.
   static std::vector<double> angles_around(Triangles const& mesh, std::vector<Side> const& sides) {
     auto const& from = mesh.vertices[std::size_t(sides[0].low)];
     Vec<3, double> const along = (mesh.vertices[std::size_t(sides[0].high)] - from).normalized();
@@ -121,7 +121,7 @@ struct Edges {
   }
 };
 
-/// Whether the triangles have no border: along each edge they run in both directions equally often.
+/// Whether the triangles have no border: they run along each edge equally often in both directions.
 inline bool is_closed(Triangles const& mesh) {
   auto const sides = sides_of(mesh);
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {

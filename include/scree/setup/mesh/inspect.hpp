@@ -18,8 +18,9 @@
 // Checks of a mesh that need its tree.
 namespace scree::detail {
 
-/// The winding number of a closed surface just behind a triangle, with the point at which it was taken: behind the
-/// middle of the triangle or, where that point is on the surface itself, behind another point; none if all of them are.
+/// Returns the winding number of a closed surface just behind a triangle, and the point at which it was computed:
+/// behind the middle of the triangle or, if that point is on the surface itself, behind another point of the triangle.
+/// Returns no value if all these points are on the surface.
 inline std::optional<std::pair<double, Vec<3, double>>> number_behind(Corners const& abc, TriangleTree const& tree,
                                                                       WindingNumbers const& winding,
                                                                       Vec<3, double> const& depth) {
@@ -31,8 +32,9 @@ inline std::optional<std::pair<double, Vec<3, double>>> number_behind(Corners co
   return std::nullopt;
 }
 
-/// The winding number just behind the middle of each triangle, or next to it (number_behind()). Between triangles next
-/// to each other in the tree the surface is crossed as often as it changes, if the mesh is closed.
+/// Returns the winding number just behind the middle of each triangle, or close to it (see number_behind()). In a
+/// closed mesh, the numbers of triangles that are next to each other in the tree differ by the net number of crossings
+/// of the surface between them.
 inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree const& tree,
                                           WindingNumbers const& winding, bool closed) {
   constexpr std::size_t portion = 1024;
@@ -57,8 +59,9 @@ inline std::vector<double> numbers_behind(Triangles const& mesh, TriangleTree co
   return numbers;
 }
 
-/// Adds which triangles bound the inside, from the winding number just behind the middle of each: 1 at a triangle that
-/// does, 2 or more within another shell, near 0 where nothing is enclosed.
+/// Adds to a report which shares of the area do not bound the inside. The winding number just behind the middle of a
+/// triangle is 1 if the triangle bounds the inside, 2 or more if it is within another shell, and near 0 if nothing is
+/// enclosed.
 inline void check_inside(MeshReport& report, Triangles const& mesh, std::vector<double> const& behind) {
   double buried = 0, unbounded = 0;
   for (std::size_t t = 0; t < mesh.size(); ++t) {
@@ -75,7 +78,8 @@ inline void check_inside(MeshReport& report, Triangles const& mesh, std::vector<
   report.unbounded_share = unbounded / report.area;
 }
 
-/// The smallest distance along the normals, or against them, between triangles that face each other.
+/// Returns the smallest distance between triangles that face each other, along the normals (`side` 1) or against them
+/// (-1).
 inline FacingDistance least_facing(Triangles const& mesh, TriangleTree const& tree, double side) {
   FacingDistance found;
   for (std::size_t t = 0; t < mesh.size(); ++t) {

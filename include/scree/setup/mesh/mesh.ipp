@@ -16,7 +16,7 @@ namespace scree {
 
 namespace detail {
 
-/// Area and volume, by the divergence theorem.
+/// Computes the area of a mesh and, by the divergence theorem, its volume.
 SCREE_BODY void measure(MeshReport& report, Triangles const& mesh) {
   Vec<3, double> const middle = (report.bounds.low + report.bounds.high) / 2;
   report.area = report.volume = 0;
@@ -27,7 +27,7 @@ SCREE_BODY void measure(MeshReport& report, Triangles const& mesh) {
   }
 }
 
-/// Changes the triangles where this is certain and finds what can be said without their tree.
+/// Repairs the triangles where this is certain, and returns a report of what can be found without their tree.
 SCREE_BODY MeshReport prepare(Triangles& mesh) {
   MeshReport report{.name = mesh.name, .triangles_read = long(mesh.size())};
   auto const refuse = [&] { throw std::runtime_error(mesh.name + ": there is no triangle with an area"); };
@@ -43,7 +43,7 @@ SCREE_BODY MeshReport prepare(Triangles& mesh) {
   return report;
 }
 
-/// A triangulated surface with its report, the hierarchy of its triangles and their moments.
+/// A triangulated surface with its report, the tree of its triangles and their moments.
 struct MeshData {
   Triangles triangles;
   MeshReport report;
@@ -76,7 +76,7 @@ struct MeshData {
                        report.orientation.open_edges.size())
                  .c_str());
   }
-  /// Leaves the boundary of the union of all shells.
+  /// Replaces the triangles by the boundary of the union of all shells.
   void unite(std::vector<double> const& behind) {
     auto united = ShellUnion(triangles, tree, winding, behind)();
     if (united.left_out == 0) return;

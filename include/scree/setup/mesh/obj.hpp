@@ -7,12 +7,12 @@
 #include <string>
 #include <string_view>
 
-// OBJ (Wavefront): vertices, polygons and lines of it; its materials and texture coordinates are skipped.
+// A reader of OBJ files (Wavefront). It reads vertices, polygons and lines; it skips materials and texture coordinates.
 namespace scree {
 
-/// Triangles from the text of an OBJ file; `name` is the name of the file. Polygons of up to 1000 corners, also concave
-/// ones, are cut into triangles; normals, texture coordinates, groups, materials and lines are skipped. Throws
-/// std::runtime_error with the file and the line for all that does not follow the format.
+/// Returns the triangles in the text of an OBJ file; `name` is the name of the file. Polygons of up to 1000 corners,
+/// including concave ones, are cut into triangles; normals, texture coordinates, groups, materials and lines are
+/// skipped. Throws std::runtime_error, with the file and the line, for everything that does not follow the format.
 Triangles read_obj(std::string_view text, std::string const& name);
 
 }  // namespace scree

@@ -14,8 +14,8 @@ namespace scree::detail {
 
 inline constexpr std::size_t most_corners = 1000;  // of a polygon
 
-/// The vertices that a line "f ..." or "l ..." names, as places from 0: the numbers before the first slash, which count
-/// from 1 or, negative, back from the last vertex so far.
+/// Returns the vertices that a line "f ..." or "l ..." names, as places from 0. Each word of the line has the number of
+/// a vertex before its first slash, counted from 1 or, if negative, back from the last vertex so far.
 inline std::vector<int> obj_vertices(TextReader const& reader, std::size_t vertices) {
   std::vector<int> result;
   for (std::size_t k = 1; k < reader.words().size(); ++k) {
@@ -42,7 +42,7 @@ inline Vec<3, double> obj_vertex(TextReader const& reader) {
   return {reader.number(1), reader.number(2), reader.number(3)};
 }
 
-/// Adds the triangles of the polygon with these corners.
+/// Adds the triangles of the polygon whose corners are the vertices at these places.
 inline void add_polygon(Triangles& to, std::vector<Vec<3, double>> const& vertices, std::vector<int> const& places,
                         TextReader const& reader) {
   reader.demand(places.size() >= 3, "a polygon has three corners or more");
@@ -57,7 +57,8 @@ inline void add_polygon(Triangles& to, std::vector<Vec<3, double>> const& vertic
   }
 }
 
-/// Statements of OBJ files that have nothing to do with the geometry.
+/// Whether a line of an OBJ file that is not a vertex is accepted: polygons ("f"), lines ("l"), comments, and
+/// statements that have nothing to do with the geometry.
 inline bool is_skipped_obj(std::string_view word) {
   static constexpr std::string_view skipped[] = {
       "vn",       "vt",     "vp",     "o",        "g",   "s",    "mg",  "usemtl", "mtllib",     "p",         "bevel",
@@ -65,7 +66,7 @@ inline bool is_skipped_obj(std::string_view word) {
   return word[0] == '#' || std::find(std::begin(skipped), std::end(skipped), word) != std::end(skipped);
 }
 
-/// Calls visit(reader, vertices so far) at each line of an OBJ file that is not a vertex.
+/// Calls visit(reader, vertices so far) at each line of an OBJ file that is not a vertex, and returns the vertices.
 template <class Visit>
 std::vector<Vec<3, double>> read_obj_lines(std::string_view text, std::string const& name, Visit const& visit) {
   std::vector<Vec<3, double>> vertices;

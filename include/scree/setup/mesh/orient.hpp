@@ -15,11 +15,11 @@
 namespace scree {
 namespace detail {
 
-/// Triangles joined across edges of two triangles.
+/// A shell: triangles that are connected across edges.
 struct Shell {
   std::vector<int> triangles;
   bool closed = true;  // each edge belongs to two triangles
-  double volume = 0;   // m^3, by the orientation of its triangles
+  double volume = 0;   // m^3, with the sign of the orientation of its triangles
   long turned = 0;     // triangles that were turned over so that all agree
   Box<3> bounds;
 };
@@ -33,7 +33,7 @@ inline Corners corners_of(Triangles const& mesh, std::size_t t) {
   return {mesh.vertex(t, 0), mesh.vertex(t, 1), mesh.vertex(t, 2)};
 }
 
-/// Volume between the triangles of a closed surface and any point, m^3.
+/// Returns the volume between triangles and a point, m^3; for a closed surface, it does not depend on the point.
 inline double volume_between(Triangles const& mesh, std::vector<int> const& triangles, Vec<3, double> const& point) {
   double volume = 0;
   for (int const t : triangles)
@@ -41,7 +41,7 @@ inline double volume_between(Triangles const& mesh, std::vector<int> const& tria
   return volume;
 }
 
-/// Collects shells and turns triangles over until those of each shell agree with most of them.
+/// Collects the shells of a mesh, and turns over triangles that do not agree with most triangles of their shell.
 class ShellFinder {
  public:
   ShellFinder(Triangles& mesh, Edges const& edges)
@@ -96,10 +96,10 @@ class ShellFinder {
   std::vector<bool> seen_, turned_;
 };
 
-/// The position of a closed shell that is inside out relative to a larger one.
+/// The position of a closed shell that is inside out, relative to larger shells.
 enum class Nesting { apart, touching, within };
 
-/// The winding number of closed shells.
+/// Returns the winding number of closed shells at x.
 inline double winding_of(Triangles const& mesh, std::vector<Shell const*> const& shells, Vec<3, double> const& x) {
   double winding = 0;
   for (Shell const* shell : shells)
@@ -108,8 +108,9 @@ inline double winding_of(Triangles const& mesh, std::vector<Shell const*> const&
   return winding;
 }
 
-/// Looks on both sides of up to 256 triangles of a shell, at their middle and near their corners, `depth` (m) away. It
-/// takes fewer triangles if the other shells have many.
+/// Returns the position of a shell relative to larger ones. Points on both sides of up to 256 triangles of the shell
+/// are checked, at the distance `depth` (m) from the middle and from places near the corners; fewer triangles if the
+/// larger shells have many.
 inline Nesting nesting_of(Triangles const& mesh, Shell const& shell, std::vector<Shell const*> const& larger,
                           double depth) {
   double others = 0;
@@ -132,19 +133,19 @@ inline Nesting nesting_of(Triangles const& mesh, Shell const& shell, std::vector
 
 }  // namespace detail
 
-/// The shells and edges of a mesh, and the changes of the orientation of its triangles.
+/// The shells and edges of a mesh, and the changes that were made to the orientation of its triangles.
 struct Orientation {
   long shells = 0, closed_shells = 0, nested_shells = 0;
   long turned_triangles = 0;  ///< turned over to agree with most of their shell
-  long turned_shells = 0;     ///< closed, as a whole, because they were inside out
+  long turned_shells = 0;     ///< closed shells turned over because they were inside out
   std::vector<int> open_edges = {},
-                   crowded_edges = {};  ///< a triangle at each edge of one triangle, and of more than two
+                   crowded_edges = {};  ///< a triangle at each edge that has only one, or more than two
 };
 
-/// Makes the triangles of each shell agree, where most of them decide, and turns over closed shells that are inside
-/// out, but for those within the material of larger ones: these are cavities. Throws std::runtime_error with the file
-/// and the triangle for a surface with only one side, and where it is not certain whether a shell is a cavity: one that
-/// is inside out and touches the surface of larger ones from within.
+/// Turns over triangles that do not agree with most triangles of their shell, and closed shells that are inside out,
+/// except those within the material of larger shells, which are cavities. Returns these changes. Throws
+/// std::runtime_error, with the file and the triangle, for a surface with only one side, and for a shell that may or
+/// may not be a cavity, because it is inside out and touches the surface of larger shells from within.
 inline Orientation orient(Triangles& mesh) {
   detail::Edges const edges(mesh);
   auto const shells = detail::ShellFinder(mesh, edges)();

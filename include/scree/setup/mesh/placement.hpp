@@ -13,14 +13,15 @@
 
 namespace scree {
 
-/// The placement of a mesh: x becomes rotation (scale x) + translation. Files of CAD programs are often in millimetres:
-/// `{.scale = 1e-3}`.
+/// The placement of a mesh, which maps x to rotation (scale x) + translation. Files of CAD programs are often in
+/// millimetres: use `{.scale = 1e-3}`.
 struct Placement {
   double scale = 1;                                      ///< m per unit of the file, above 0
   Mat<3, double> rotation = Mat<3, double>::Identity();  ///< without reflection
   Vec<3, double> translation = Vec<3, double>::Zero();   ///< m
 
-  /// Throws std::invalid_argument if the scale is not positive, the rotation is none, or a number is not finite.
+  /// Throws std::invalid_argument if the scale is not positive, the matrix is not a rotation, or a number is not
+  /// finite.
   void check() const {
     check_setting(scale > 0 && std::isfinite(scale), "scale of a mesh", scale, "above 0");
     check_setting(translation.allFinite(), "translation of a mesh", translation.sum(), "finite");
@@ -30,14 +31,14 @@ struct Placement {
   }
 };
 
-/// The matrix of a rotation about an axis of any length above zero, by an angle in rad, by the right-hand rule. Throws
-/// std::invalid_argument for an axis of no length and for one that is not finite.
+/// Returns the matrix of a rotation by an angle (rad) about an axis of any length above zero, by the right-hand rule.
+/// Throws std::invalid_argument if the axis has no length or is not finite.
 inline Mat<3, double> rotation_about(Vec<3, double> const& axis, double angle) {
   check_setting(axis.norm() > 0 && axis.allFinite(), "length of the axis of a rotation", axis.norm(), "above 0");
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-/// The triangles at another place.
+/// Returns triangles to which a placement was applied. Throws as Placement::check() does.
 inline Triangles placed(Triangles triangles, Placement const& placement) {
   placement.check();
   for (auto& x : triangles.vertices)

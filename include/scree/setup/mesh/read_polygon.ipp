@@ -13,7 +13,7 @@ namespace scree {
 
 namespace detail {
 
-/// Pieces of lines with the line of the file; each vertex joins two of them.
+/// Pieces of lines, each with its line in the file. Each vertex joins two pieces.
 class LineJoiner {
  public:
   explicit LineJoiner(std::string name) : name_(std::move(name)) {}
@@ -22,7 +22,7 @@ class LineJoiner {
     ends_[from].push_back({to, line});
     ends_[to].push_back({from, line});
   }
-  /// The vertices of each closed line.
+  /// Returns the vertices of each closed line. Throws std::runtime_error if a vertex does not join exactly two pieces.
   std::vector<std::vector<int>> loops() {
     for (auto const& [vertex, ends] : ends_)
       if (ends.size() != 2)
@@ -52,7 +52,7 @@ class LineJoiner {
   std::map<int, std::vector<End>> ends_;
 };
 
-/// The coordinates of points in their plane: x and z if all y are equal, x and y if all z are.
+/// Returns the coordinates of points in their plane: x and y if all z are equal, x and z if all y are equal.
 SCREE_BODY std::vector<Vec<2, double>> in_coordinate_plane(std::vector<Vec<3, double>> const& points,
                                                            std::string const& name) {
   auto const is_flat = [&](int axis) {

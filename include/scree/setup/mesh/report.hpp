@@ -21,21 +21,21 @@ struct FacingDistance {
 /// The contents of a mesh, and the changes that were made to it.
 struct MeshReport {
   std::string name;
-  long triangles_read = 0, triangles = 0;               ///< in the file, and used; the union may have others
-  long welded_vertices = 0;                             ///< joined with another one at a slightly different place
+  long triangles_read = 0, triangles = 0;               ///< numbers in the file and in use; the union may have others
+  long welded_vertices = 0;                             ///< joined with another vertex at a slightly different place
   long degenerate_triangles = 0;                        ///< dropped
   Orientation orientation = {};                         ///< shells, open edges, turned triangles
   bool closed = false;                                  ///< no border remains
   Box<3> bounds{};                                      ///< m
-  double area = 0, volume = 0;                          ///< of the union, m^2; m^3, by the divergence theorem
-  double buried_share = 0;                              ///< of the area read, within another shell or between two
-  double unbounded_share = 0;                           ///< of the area, with nothing inside behind it: holes are near
+  double area = 0, volume = 0;                          ///< of the union: m^2, and m^3 by the divergence theorem
+  double buried_share = 0;                              ///< part of the area read: within another shell or between two
+  double unbounded_share = 0;                           ///< part of the area with no inside behind it: holes are near
   std::string first_buried = {}, first_unbounded = {};  ///< file and triangle
   FacingDistance wall = {}, gap = {};                   ///< through the inside and through the outside
 
-  /// Whether the triangles enclose their volume without a hole: only then `volume` is exact.
+  /// Whether the triangles enclose their volume without a hole; `volume` is exact only if they do.
   bool encloses_exactly() const { return closed && unbounded_share == 0; }
-  /// As lines of text, distances in spacings of particles (m).
+  /// Returns the report as lines of text, with distances in units of the spacing of particles (m).
   std::string text(double spacing) const {
     using detail::formatted;
     auto const size = Vec<3, double>(bounds.high - bounds.low);

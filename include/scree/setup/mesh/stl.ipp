@@ -14,7 +14,7 @@ namespace scree {
 
 namespace detail {
 
-/// An unsigned number or a float from four bytes, the lowest first.
+/// Returns an unsigned number or a float from four bytes, in little-endian order.
 template <class T>
 T from_bytes(char const* bytes) {
   static_assert(sizeof(T) == 4);
@@ -25,7 +25,7 @@ T from_bytes(char const* bytes) {
 
 inline constexpr std::size_t stl_head = 84, stl_triangle = 50;  // bytes; the head ends with the number of triangles
 
-/// Bytes of a binary file with the number of triangles that this one names.
+/// Returns the size in bytes of a binary file with the number of triangles that this file states.
 SCREE_BODY std::size_t binary_stl_size(std::string_view bytes) {
   return stl_head + stl_triangle * from_bytes<std::uint32_t>(bytes.data() + stl_head - 4);
 }
@@ -36,7 +36,7 @@ SCREE_BODY Triangles read_binary_stl(std::string_view bytes, std::string const& 
   check_triangles(name, double(count));
   result.vertices.reserve(3 * count);
   for (std::size_t t = 0; t < count; ++t) {
-    char const* at = bytes.data() + stl_head + t * stl_triangle + 12;  // behind its normal
+    char const* at = bytes.data() + stl_head + t * stl_triangle + 12;  // after its normal
     int const first = int(result.vertices.size());
     for (int corner = 0; corner < 3; ++corner) {
       Vec<3, double> x;
@@ -59,7 +59,7 @@ SCREE_BODY bool is_word(std::string_view word, std::string_view keyword) {
   return true;
 }
 
-/// Goes to the next line, which must start with these words.
+/// Advances to the next line, which must start with these words. Throws std::runtime_error if it does not.
 SCREE_BODY void next_stl_line(TextReader& reader, std::string_view first, std::string_view second = "") {
   std::string const wanted = std::string(first) + (second.empty() ? "" : " ") + std::string(second);
   if (!reader.next()) reader.fail("the file ends where '" + wanted + "' is expected");

@@ -18,20 +18,20 @@
 
 namespace scree {
 
-/// A point of a surface and its triangle, as a place in `Triangles`; -1 if there is none.
+/// A point of a surface and its triangle, as an index into `Triangles`; -1 if there is none.
 struct SurfacePoint {
   int triangle = -1;
   double distance = std::numeric_limits<double>::infinity();  ///< m
   Vec<3, double> point = Vec<3, double>::Zero();              ///< m
 };
 
-/// A hierarchy of boxes around triangles: halves of them, divided at the median along the longest side of their box.
+/// A tree of boxes around triangles. Each node is divided into halves at the median along the longest side of its box.
 class TriangleTree {
  public:
   struct Node {
     Vec<3, double> low, high;  ///< the box, m
     int first = 0, last = 0;   ///< its triangles, in the order of the tree
-    int second = 0;            ///< its second child; the first one follows it. 0: it is a leaf
+    int second = 0;            ///< second child; the first one is the next node. 0: a leaf
   };
   static constexpr int leaf_size = 4;
 
@@ -51,20 +51,21 @@ class TriangleTree {
     rounding_ = sq(2e-9 * extent());
   }
 
-  /// All boxes; the first one is that around all triangles.
+  /// Returns all nodes; the first one has the box around all triangles.
   std::vector<Node> const& nodes() const { return nodes_; }
-  /// The largest side of the box around all triangles, m.
+  /// Returns the largest side of the box around all triangles, m.
   double extent() const { return (nodes_[0].high - nodes_[0].low).maxCoeff(); }
-  /// The corners of a triangle in the order of the tree, m.
+  /// Returns the corners of the triangle with this number in the order of the tree, m.
   detail::Corners const& corners(int in_order) const { return corners_[std::size_t(in_order)]; }
-  /// Place in `Triangles` of a triangle in the order of the tree.
+  /// Returns the place in `Triangles` of the triangle with this number in the order of the tree.
   int place(int in_order) const { return places_[std::size_t(in_order)]; }
 
-  /// The nearest point of the surface. It is found faster if it is known to be within a distance, m.
+  /// Returns the point of the surface that is nearest to x. It is found faster if it is known to be within a distance
+  /// (m).
   SurfacePoint nearest(Vec<3, double> const& x, double within = std::numeric_limits<double>::infinity()) const {
     SurfacePoint best;
     double least =
-        sq(within) * (1 + 1e-9);  // squared distance; the point at this distance may be found, whatever the rounding
+        sq(within) * (1 + 1e-9);  // squared distance, with a margin so that a point at exactly this distance is found
     Stack stack;
     stack.push(0, squared_distance(nodes_[0], x));
     while (!stack.empty()) {
@@ -93,8 +94,8 @@ class TriangleTree {
     return best;
   }
 
-  /// The nearest triangle along a ray with a unit vector, between `least` and `most` (m), for which accept(triangle)
-  /// holds.
+  /// Returns the nearest triangle along a ray with the unit vector `along`, at a distance between `least` and `most`
+  /// (m), for which accept(triangle) is true.
   template <class Accept>
   SurfacePoint first_along(Vec<3, double> const& from, Vec<3, double> const& along, double least, double most,
                            Accept const& accept) const {
@@ -121,8 +122,8 @@ class TriangleTree {
     return best;
   }
 
-  /// The number of times that a segment passes through the surface against the normals, minus that along them; no value
-  /// where this is not certain for a triangle (detail::passes).
+  /// Returns how many times a segment passes through the surface against the normals, minus how many times along them;
+  /// no value if this is uncertain for a triangle (detail::passes()).
   std::optional<int> entries(Vec<3, double> const& from, Vec<3, double> const& to, double margin) const {
     int count = 0;
     bool const certain = visit_box(detail::grown(Box<3>{from.cwiseMin(to), from.cwiseMax(to)}, margin), [&](int k) {
@@ -132,8 +133,8 @@ class TriangleTree {
     });
     return certain ? std::optional(count) : std::nullopt;
   }
-  /// Calls visit(k) for triangles in the order of the tree, among them all in a box (m), until a call returns false;
-  /// returns whether none did.
+  /// Calls visit(k) for the triangles of all leaves whose boxes meet a box (m), in the order of the tree, until a call
+  /// returns false. Returns false if a call did, otherwise true.
   template <class Visit>
   bool visit_box(Box<3> const& box, Visit const& visit) const {
     Stack stack;
@@ -153,7 +154,7 @@ class TriangleTree {
     return true;
   }
 
-  /// Nodes that remain to be visited. A tree of N triangles is at most log2(N) + 1 <= 32 deep.
+  /// A stack of nodes that remain to be visited. A tree of N triangles is at most log2(N) + 1 <= 32 deep.
   class Stack {
    public:
     /// Whether no node is left.
@@ -197,7 +198,7 @@ class TriangleTree {
       sum += sq(std::max(std::max(node.low[axis] - x[axis], x[axis] - node.high[axis]), 0.0));
     return sum;
   }
-  /// Distance at which a ray enters a box; infinite if it misses.
+  /// Returns the distance at which a ray enters a box; infinity if it misses the box.
   static double entry_of(Node const& node, Vec<3, double> const& from, Vec<3, double> const& along) {
     double entry = 0, leave = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -212,7 +213,7 @@ class TriangleTree {
   std::vector<int> places_;
   std::vector<detail::Corners> corners_;
   std::vector<Vec<3, double>> normals_;  // of length one, or zero
-  double rounding_ = 0;                  // of a squared distance, m^2
+  double rounding_ = 0;                  // rounding error of a squared distance, m^2
   std::vector<Node> nodes_;
 };
 

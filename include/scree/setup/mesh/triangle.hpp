@@ -13,12 +13,12 @@
 #include <numbers>
 #include <optional>
 
-// One triangle: its nearest point, the solid angle that it covers, and where a ray meets it.
+// Functions of one triangle: its nearest point, the solid angle that it covers, and where rays and segments meet it.
 namespace scree::detail {
 
 using Corners = std::array<Vec<3, double>, 3>;
 
-/// The point of a triangle that is nearest to x (Ericson 2005, Real-Time Collision Detection, section 5.1.5).
+/// Returns the point of a triangle that is nearest to x (Ericson 2005, Real-Time Collision Detection, section 5.1.5).
 inline Vec<3, double> nearest_in_triangle(Corners const& abc, Vec<3, double> const& x) {
   auto const& [a, b, c] = abc;
   Vec<3, double> const ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
@@ -36,8 +36,8 @@ inline Vec<3, double> nearest_in_triangle(Corners const& abc, Vec<3, double> con
   return a + ab * (vb / all) + ac * (vc / all);
 }
 
-/// The part of the full solid angle that a triangle covers as seen from x, positive from behind (van Oosterom &
-/// Strackee 1983). 0 in its plane.
+/// Returns the part of the full solid angle that a triangle covers as seen from x, positive if x is behind it (van
+/// Oosterom & Strackee 1983); 0 in the plane of the triangle.
 inline double solid_angle_share(Corners const& abc, Vec<3, double> const& x) {
   Vec<3, double> const a = abc[0] - x, b = abc[1] - x, c = abc[2] - x;
   double const A = a.norm(), B = b.norm(), C = c.norm();
@@ -46,8 +46,8 @@ inline double solid_angle_share(Corners const& abc, Vec<3, double> const& x) {
   return std::atan2(volume, rest) / (2 * std::numbers::pi);
 }
 
-/// Distance along a ray from `from` with the unit vector `along` to a triangle; infinite if it misses (Moeller &
-/// Trumbore 1997).
+/// Returns the distance to a triangle along a ray from `from` with the unit vector `along`; infinity if the ray misses
+/// the triangle (Moeller & Trumbore 1997).
 inline double distance_along_ray(Corners const& abc, Vec<3, double> const& from, Vec<3, double> const& along) {
   double const infinity = std::numeric_limits<double>::infinity();
   Vec<3, double> const ab = abc[1] - abc[0], ac = abc[2] - abc[0], p = along.cross(ac), to = from - abc[0];
@@ -62,7 +62,7 @@ inline double distance_along_ray(Corners const& abc, Vec<3, double> const& from,
   return t >= 0 ? t : infinity;
 }
 
-/// The unit normal of a triangle; zero if it is so narrow that rounding turns it by more than 1e-12.
+/// Returns the unit normal of a triangle; zero if it is so narrow that rounding turns the normal by more than 1e-12.
 inline Vec<3, double> certain_normal(Corners const& abc) {
   Vec<3, double> const area = Vec<3, double>(abc[1] - abc[0]).cross(Vec<3, double>(abc[2] - abc[0]));
   double longest = 0;
@@ -70,8 +70,9 @@ inline Vec<3, double> certain_normal(Corners const& abc) {
   double const size = area.norm();
   return size > 1e-3 * longest ? Vec<3, double>(area / size) : Vec<3, double>::Zero();
 }
-/// How a segment passes through a triangle: 1 against its normal, -1 along it, 0 if it does not; no value where this is
-/// not certain: where it passes near the border of the triangle, or an end is within `margin` (m) of its plane.
+/// Returns 1 if a segment passes through a triangle against its normal, -1 if it passes along the normal, and 0 if it
+/// does not pass. Returns no value if this is uncertain, because the segment passes near the border of the triangle or
+/// one of its ends is within `margin` (m) of the plane of the triangle.
 inline std::optional<int> passes(Corners const& abc, Vec<3, double> const& from, Vec<3, double> const& to,
                                  double margin) {
   Vec<3, double> const ab = abc[1] - abc[0], ac = abc[2] - abc[0], along = to - from, before = from - abc[0];

@@ -15,28 +15,28 @@
 
 namespace scree {
 
-/// Triangles as a file gives them, counter-clockwise as seen from outside. It is only checked that corners are vertices
-/// and that coordinates are finite.
+/// Triangles as read from a file, counter-clockwise as seen from outside. Only two conditions are checked: corners are
+/// vertices, and coordinates are finite.
 struct Triangles {
   std::string name = "mesh";                     ///< of the file
   std::vector<Vec<3, double>> vertices = {};     ///< m
-  std::vector<std::array<int, 3>> corners = {};  ///< of each triangle, places in `vertices`
-  std::vector<int> numbers = {};      ///< of each triangle in the file, from 1; of its line in a text; may be empty
-  std::string numbered = "triangle";  ///< "triangle" or "line": which of both `numbers` are
+  std::vector<std::array<int, 3>> corners = {};  ///< of each triangle, as places in `vertices`
+  std::vector<int> numbers = {};      ///< of each triangle in the file, or of its line in a text, from 1; may be empty
+  std::string numbered = "triangle";  ///< what `numbers` refers to: "triangle" or "line"
 
-  /// The number of triangles.
+  /// Returns the number of triangles.
   std::size_t size() const { return corners.size(); }
-  /// Corner k of a triangle, m.
+  /// Returns corner k of a triangle, m.
   Vec<3, double> const& vertex(std::size_t triangle, std::size_t k) const {
     return vertices[static_cast<std::size_t>(corners[triangle][k])];
   }
-  /// The number of a triangle in its file, from 1.
+  /// Returns the number of a triangle, or of its line, in the file, from 1.
   int number_of(std::size_t triangle) const { return numbers.empty() ? int(triangle) + 1 : numbers[triangle]; }
-  /// "vessel.stl, triangle 17", for messages.
+  /// Returns the place of a triangle for messages, such as "vessel.stl, triangle 17".
   std::string place_of(std::size_t triangle) const {
     return name + ", " + numbered + " " + std::to_string(number_of(triangle));
   }
-  /// Half the cross product of two sides: its length is the area, m^2, and it points outwards.
+  /// Returns half the cross product of two sides, which points outwards; its length is the area, m^2.
   Vec<3, double> area_vector(std::size_t triangle) const {
     Vec<3, double> const a = vertex(triangle, 0), b = vertex(triangle, 1) - a, c = vertex(triangle, 2) - a;
     return b.cross(c) / 2;
@@ -44,8 +44,8 @@ struct Triangles {
 };
 
 namespace detail {
-/// Throws std::runtime_error if there are more vertices than can be counted, or too little memory for the triangles of
-/// a file, their vertices and their hierarchy.
+/// Throws std::runtime_error if there are more vertices than can be counted; check_triangles() also does so if there is
+/// too little memory for the triangles of a file, their vertices and their tree.
 inline void check_vertices(std::string const& name, double vertices) {
   if (!(vertices <= most_particles))
     throw std::runtime_error(name + ": " + short_text(vertices) + " vertices are more than can be counted");

@@ -16,22 +16,22 @@
 #include <vector>
 
 // The boundary of the union of closed shells that touch, overlap or enclose each other. Each triangle is cut along the
-// lines in which others meet its plane, as far as these reach. The winding number just before and just behind a piece
-// then says whether the piece separates inside from outside. Parts of the surface that are nearer to each other than
-// the tolerance count as one.
+// segments in which other triangles meet its plane. The winding numbers just in front of a piece and just behind it
+// then show whether the piece separates the inside from the outside. Parts of the surface that are closer to each other
+// than the tolerance are treated as one.
 namespace scree::detail {
 
 struct BoundaryOfUnion {
   Triangles triangles;
   double left_out = 0;              ///< area within another shell or between two, m^2
   std::string first_left_out = {};  ///< file and triangle; empty if every triangle is part of the boundary
-  double inverted = 0;              ///< area of pieces behind which nothing is enclosed and before which less, m^2
+  double inverted = 0;              ///< area of pieces in front of which the winding number is negative, m^2
   std::string first_inverted = {};  ///< file and triangle
 };
 
 class ShellUnion {
  public:
-  /// `behind`: the winding number just behind the middle of each triangle.
+  /// Prepares the union; `behind` is the winding number just behind the middle of each triangle.
   ShellUnion(Triangles const& mesh, TriangleTree const& tree, WindingNumbers const& winding,
              std::vector<double> const& behind)
       : mesh_(mesh), tree_(tree), winding_(winding), behind_(behind), tolerance_(apart_at_least * tree.extent()) {}
@@ -45,7 +45,7 @@ class ShellUnion {
 
  private:
   using X = Vec<3, double>;
-  using Piece = std::vector<X>;  // the corners of a convex polygon, in the direction of those of its triangle
+  using Piece = std::vector<X>;  // corners of a convex polygon, in the same direction as those of its triangle
 
   void take(std::size_t t) {
     corner_ = mesh_.vertex(t, 0), normal_ = mesh_.area_vector(t).normalized();
@@ -85,7 +85,7 @@ class ShellUnion {
     for (int k = 1; k + 1 < count; ++k) add(t, {first, first + k, first + k + 1});
   }
 
-  /// Cuts the pieces along the part of another triangle that is in their plane.
+  /// Cuts the pieces along the part of another triangle that lies in their plane.
   void cut_along(int other) {
     Corners const& abc = tree_.corners(other);
     std::array<double, 3> const height{height_of(abc[0]), height_of(abc[1]), height_of(abc[2])};
@@ -116,7 +116,8 @@ class ShellUnion {
   bool is_corner(X const& x) const {
     return std::any_of(pieces_[0].begin(), pieces_[0].end(), [&](X const& corner) { return corner == x; });
   }
-  /// Cuts a piece along the line of a segment if the segment passes through it; returns the part on its left.
+  /// Cuts a piece along the line of a segment if the segment passes through the piece; returns the part left of the
+  /// line.
   std::optional<Piece> cut(Piece& piece, X const& from, X const& to) const {
     X const along = (to - from).normalized(), left = normal_.cross(along);
     std::vector<double> side(piece.size());
@@ -146,7 +147,7 @@ class ShellUnion {
 
   bool is_boundary(std::size_t t, Piece const& piece) {
     X const middle = middle_of(piece), depth = normal_ * (probe_depth * tree_.extent());
-    if (pieces_.size() > 1 && area_of(piece) < 4 * tolerance_ * length_of(piece)) return false;  // narrower than looked
+    if (pieces_.size() > 1 && area_of(piece) < 4 * tolerance_ * length_of(piece)) return false;  // too narrow to probe
     double const before = winding_(tree_, X(middle + depth), true);
     if (before < -0.5) {
       if (result_.inverted == 0) result_.first_inverted = mesh_.place_of(t);
@@ -160,7 +161,7 @@ class ShellUnion {
   bool lies_in_another(X const& x) const {
     return std::any_of(in_plane_.begin(), in_plane_.end(), [&](int k) { return is_over(tree_.corners(k), x); });
   }
-  /// Twice the area of a triangle in the plane; negative if it faces the other way.
+  /// Returns twice the area of a triangle in the plane; negative if it faces the other way.
   double turn_of(Corners const& abc) const { return normal_.dot(X(abc[1] - abc[0]).cross(X(abc[2] - abc[0]))); }
   bool is_over(Corners const& abc, X const& x) const {
     double const way = turn_of(abc) > 0 ? 1 : -1;

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <array>
 
-// Volume under a level, from the triangles of a closed surface: by the divergence theorem for the field
-// (0, 0, min(z, level)), whose divergence is 1 below the level and 0 above.
+// The volume below a level inside a closed surface of triangles, by the divergence theorem applied to the field (0, 0,
+// min(z, level)), whose divergence is 1 below the level and 0 above.
 namespace scree::detail {
 
-/// Mean of min(z, level) over a triangle whose corners have these z, m.
+/// Returns the mean of min(z, level) over a triangle whose corners have these z, m.
 inline double mean_below(std::array<double, 3> z, double level) {
   std::sort(z.begin(), z.end());
   double const mean = (z[0] + z[1] + z[2]) / 3;
@@ -25,7 +25,7 @@ inline double mean_below(std::array<double, 3> z, double level) {
   return level - under * under * under / (3 * (z[1] - z[0]) * (z[2] - z[0]));
 }
 
-/// m^3. All corners may be higher than the level.
+/// Returns the volume below a level, m^3. All corners may be above the level.
 inline double volume_below(Triangles const& mesh, double level) {
   double const base = mesh.vertex(0, 0)[2];  // the surface is closed: any height may be subtracted
   double volume = 0;

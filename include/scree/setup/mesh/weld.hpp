@@ -15,7 +15,7 @@
 
 namespace scree {
 
-/// The box around triangles, m. There must be one.
+/// Returns the box around triangles, m. There must be at least one triangle.
 inline Box<3> bounds_of(Triangles const& mesh) {
   Box<3> box{mesh.vertex(0, 0), mesh.vertex(0, 0)};
   for (std::size_t t = 0; t < mesh.size(); ++t)
@@ -25,18 +25,20 @@ inline Box<3> bounds_of(Triangles const& mesh) {
 
 namespace detail {
 
-/// The smallest distance of parts of a surface, and the distance in front of it and behind it that is probed, over the
-/// largest extent of a mesh. 1e-7 is the rounding of the single-precision numbers of a binary STL file.
+/// The smallest distance between separate parts of a surface, and the distance at which points in front of the surface
+/// and behind it are probed, both relative to the largest extent of the mesh. 1e-7 is the rounding error of the
+/// single-precision numbers of a binary STL file.
 inline constexpr double apart_at_least = 1e-7, probe_depth = 2 * apart_at_least;
 
-/// Places of points in a grid of cubes, each with the number of the first point there.
+/// A table of the cubes of a grid that contain points, each with the number of the first point in it.
 class CubeTable {
  public:
   CubeTable(Vec<3, double> const& low, double edge, std::size_t points) : low_(low), edge_(edge) {
     first_.reserve(points);
   }
 
-  /// The first point within a distance of one edge of x along each axis; `number`, which becomes one, if there is none.
+  /// Returns the number of the first point whose distance from x along each axis is at most one edge; if there is none,
+  /// adds x as point `number` and returns `number`.
   int find_or_add(Vec<3, double> const& x, int number, std::vector<Vec<3, double>> const& points) {
     std::array<std::int64_t, 3> cube{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -69,9 +71,9 @@ class CubeTable {
 
 }  // namespace detail
 
-/// Joins vertices that differ by less than a part of the largest extent of the mesh. Vertices without a triangle are
-/// dropped. Returns the number of
-/// vertices that another one replaces, without counting equal ones: STL repeats each vertex in each of its triangles.
+/// Joins vertices whose distance along each axis is at most the fraction `part` of the largest extent of the mesh, and
+/// drops vertices without a triangle. Returns the number of vertices that were replaced by a different one; equal
+/// vertices are not included, because STL repeats each vertex in each of its triangles.
 inline long weld(Triangles& mesh, double part = detail::apart_at_least) {
   Box<3> const box = bounds_of(mesh);
   double const edge = part * std::max((box.high - box.low).maxCoeff(), 1e-300);
@@ -96,7 +98,8 @@ inline long weld(Triangles& mesh, double part = detail::apart_at_least) {
   return moved;
 }
 
-/// Removes triangles without area: two equal corners, or a height below a part of the longest side. Returns how many.
+/// Removes triangles without area: those with two equal corners, or with an area of at most `part` times the square of
+/// the longest side. Returns their number.
 inline long drop_degenerate(Triangles& mesh, double part = 1e-12) {
   std::size_t kept = 0;
   if (mesh.numbers.empty())

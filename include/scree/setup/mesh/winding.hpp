@@ -9,10 +9,11 @@
 #include <optional>
 #include <vector>
 
-// Generalised winding number (Jacobson, Kavan & Sorkine-Hornung 2013, ACM Trans. Graph. 32, 33): the sum of the solid
-// angles of all triangles over 4 pi. It is 1 inside and 0 outside of a closed surface, 2 where two of them overlap, and
-// changes smoothly across a hole. Far triangles are summed as a dipole at their centre and its first correction
-// (Barill, Dickson, Schmidt, Levin & Jacobson 2018, ACM Trans. Graph. 37, 43), here with a bound of the error:
+// The generalised winding number (Jacobson, Kavan & Sorkine-Hornung 2013, ACM Trans. Graph. 32, 33) is the sum of the
+// solid angles of all triangles over 4 pi. It is 1 inside and 0 outside of a closed surface, 2 where two closed
+// surfaces overlap, and changes smoothly across a hole. Distant triangles contribute as a dipole at their centre with
+// its first correction (Barill, Dickson, Schmidt, Levin & Jacobson 2018, ACM Trans. Graph. 37, 43), here with a bound
+// on the error:
 //
 //   w(x) = integral of n . G(y - x) dA,  G(d) = d/(4 pi |d|^3)
 //
@@ -25,21 +26,22 @@
 // by the remainder of Taylor's formula and |grad grad G| <= 6/(4 pi R^4).
 namespace scree {
 
-/// The winding numbers of a closed surface of triangles at points, by a tree, with bounds of their errors.
+/// The winding numbers of a surface of triangles, computed with a tree, with bounds on their errors.
 class WindingNumbers {
  public:
   struct Value {
     double number = 0;  ///< the winding number
-    double error = 0;   ///< a bound of its error
+    double error = 0;   ///< a bound on its error
   };
 
-  /// Takes the triangles of a tree.
+  /// Computes the moments of the nodes and triangles of a tree.
   explicit WindingNumbers(TriangleTree const& tree) : nodes_(tree.nodes().size()) {
     collect(tree, 0);
     for (int k = 0; k < tree.nodes()[0].last; ++k) triangles_.push_back(moments_of(tree, k, k + 1));
   }
 
-  /// Sums nodes and triangles by their moments where the bound of the error of one is at most `each`.
+  /// Returns the winding number at x. Nodes and triangles whose error bound is at most `each` contribute by their
+  /// moments.
   Value at(TriangleTree const& tree, Vec<3, double> const& x, double each) const {
     Value sum;
     TriangleTree::Stack stack;
@@ -60,13 +62,13 @@ class WindingNumbers {
     return sum;
   }
 
-  /// The winding number. It is a whole number without an error if the surface is closed. Otherwise its error is at most
-  /// 0.25, and less near 1/2, where the sign of a distance changes.
+  /// Returns the winding number at x. For a closed surface it is a whole number without an error. Otherwise its error
+  /// is at most 0.25, and less near 1/2, where the sign of the distance changes.
   double operator()(TriangleTree const& tree, Vec<3, double> const& x, bool closed) const {
     if (closed) return std::round(refined(tree, x, [](Value const& v) { return v.error < 0.49; }).number);
     return refined(tree, x, [](Value const& v) { return v.error < 0.25 && v.error < std::abs(v.number - 0.5); }).number;
   }
-  /// The winding number of a closed surface; none at a point of the surface, where the sum is no whole number.
+  /// Returns the winding number of a closed surface at x; no value on the surface, where the sum is not a whole number.
   std::optional<double> off_surface(TriangleTree const& tree, Vec<3, double> const& x) const {
     constexpr double largest = 0.1;  // deviation from a whole number, and error
     Value const found = refined(tree, x, [](Value const& v) { return v.error < largest; });
@@ -76,14 +78,14 @@ class WindingNumbers {
   }
 
  private:
-  /// The sum with errors that fall until it is good enough; the exact sum if it never is.
+  /// Returns the sum with ever smaller error bounds until `enough` accepts it; the exact sum if it never does.
   template <class Enough>
   Value refined(TriangleTree const& tree, Vec<3, double> const& x, Enough const& enough) const {
     for (double each = 2e-3; each > 1e-9; each /= 4)
       if (Value const found = at(tree, x, each); enough(found)) return found;
     return at(tree, x, 0);
   }
-  /// p, r and, over 4 pi, N, T and 6 J; m, m^2, m^3, m^4.
+  /// The moments p (m) and r (m) of a node, and its N (m^2), T (m^3) and 6 J (m^4) over 4 pi.
   struct Moments {
     Vec<3, double> centre, area;
     Mat<3, double> first;
@@ -133,7 +135,7 @@ class WindingNumbers {
     return Vec<3, double>(abc[1] - abc[0]).cross(Vec<3, double>(abc[2] - abc[0])) / 2;
   }
 
-  /// Computes the moments of one node, and of all below it.
+  /// Computes the moments of a node and of all nodes below it.
   void collect(TriangleTree const& tree, int number) {
     auto const& node = tree.nodes()[std::size_t(number)];
     nodes_[std::size_t(number)] = moments_of(tree, node.first, node.last);

@@ -6,14 +6,15 @@
 
 #include <cmath>
 
-// Shapes made of shapes. They hold copies of their parts.
+// Shapes composed of other shapes, of which they hold copies.
 namespace scree {
 
-/// Two shapes of the same dimension.
+/// Whether A and B are shapes of the same dimension.
 template <class A, class B>
 concept ShapesOfOneSpace = Shape<A> && Shape<B> && int(A::dim) == int(B::dim);
 
-/// The signed distance is exact outside if that of both is; a lower bound inside.
+/// The union of two shapes. Its signed distance is exact outside if those of both shapes are; inside it is a lower
+/// bound.
 template <Shape A, Shape B>
 struct Union {
   static constexpr int dim = A::dim;
@@ -34,7 +35,8 @@ struct Union {
   Box<dim> bounds() const { return detail::hull(a.bounds(), b.bounds()); }
 };
 
-/// The signed distance is exact inside if that of both is; a lower bound outside.
+/// The intersection of two shapes. Its signed distance is exact inside if those of both shapes are; outside it is a
+/// lower bound.
 template <Shape A, Shape B>
 struct Intersection {
   static constexpr int dim = A::dim;
@@ -72,8 +74,9 @@ struct Complement {
   Box<dim> bounds() const { return whole_space<dim>(); }
 };
 
-/// A shape whose boundary is moved outwards by a distance, m; inwards where it is negative. The signed distance is
-/// exact where the boundary does not change its topology and no edge is rounded or sharpened; otherwise a lower bound.
+/// A shape with its boundary moved outwards by a distance (m), or inwards if the distance is negative. The signed
+/// distance is exact where the topology of the boundary does not change and no edge is rounded or sharpened; elsewhere
+/// it is a lower bound.
 template <Shape A>
 struct Offset {
   static constexpr int dim = A::dim;
@@ -96,23 +99,23 @@ struct Offset {
   Box<dim> bounds() const { return detail::grown(a.bounds(), distance); }
 };
 
-/// The points that are in a or in b.
+/// Returns the union of two shapes: the points that are in a or in b.
 template <class A, class B>
 requires ShapesOfOneSpace<A, B> Union<A, B> unite(A const& a, B const& b) { return {a, b}; }
-/// The points that are in both a and b.
+/// Returns the intersection of two shapes: the points that are in both a and b.
 template <class A, class B>
 requires ShapesOfOneSpace<A, B> Intersection<A, B> intersect(A const& a, B const& b) { return {a, b}; }
-/// The points that are not in a.
+/// Returns the complement of a shape: the points that are not in a.
 template <Shape A>
 Complement<A> complement(A const& a) {
   return {a};
 }
-/// The part of a that is not in b. The signed distance is computed as for an intersection.
+/// Returns the part of a that is not in b. The signed distance is computed as for an intersection.
 template <class A, class B>
 requires ShapesOfOneSpace<A, B> Intersection<A, Complement<B>> subtract(A const& a, B const& b) {
   return {a, complement(b)};
 }
-/// The points closer to a than `distance` (m); a negative distance makes a shape smaller.
+/// Returns the shape of all points closer to a than `distance` (m); a negative distance makes the shape smaller.
 template <Shape A>
 Offset<A> offset(A const& a, double distance) {
   return {a, distance};

@@ -18,7 +18,7 @@
 namespace scree {
 namespace detail {
 
-/// Twice the area of the triangle a, b, c; positive if it is counter-clockwise.
+/// Returns twice the area of the triangle a, b, c; positive if its corners are counter-clockwise.
 double turn(Vec<2, double> const& a, Vec<2, double> const& b, Vec<2, double> const& c);
 
 /// A side of a polygon.
@@ -26,17 +26,19 @@ struct Segment {
   Vec<2, double> a, b;
 
   Vec<2, double> nearest(Vec<2, double> const& x) const;
-  /// Whether a ray from x along the first axis crosses the side, whose lower end belongs to it.
+  /// Whether a ray from x along the first axis crosses the side. The lower end belongs to the side, the upper one does
+  /// not.
   bool is_right_of(Vec<2, double> const& x) const;
   bool crosses(Segment const& other) const;
-  /// Integral of min(y, level) over x along the edge, m^2.
+  /// Returns the integral of min(y, level) over x along the side, m^2.
   double below(double level) const;
 };
 
 }  // namespace detail
 
-/// A closed polygon in the plane, or several that do not cross: inside is where a ray crosses an odd number of sides,
-/// so that a polygon within another one is a hole. Counter-clockwise or clockwise. Copies share their data; host only.
+/// One closed polygon in the plane, or several that do not cross. A point is inside if a ray from it crosses an odd
+/// number of sides, so that a polygon within another one is a hole. Corners may be counter-clockwise or clockwise.
+/// Copies share their data; host only.
 class Polygon {
  public:
   static constexpr int dim = 2;
@@ -44,25 +46,25 @@ class Polygon {
   static constexpr bool costly_distance = true;
   using Loop = std::vector<Vec<2, double>>;
 
-  /// A region whose outline is made of polygons, each given by its corners, m. Throws std::invalid_argument if a
-  /// polygon has less than three corners or no area, a corner is not finite, or sides cross; the time to find this goes
-  /// with the square of the number of sides, of which 20 000 are allowed.
+  /// Makes a region whose outline consists of polygons, each given by its corners, m. Throws std::invalid_argument if a
+  /// polygon has fewer than three corners or no area, a corner is repeated or not finite, sides cross, or there are
+  /// more than 20 000 sides. The check for crossings takes a time proportional to the square of the number of sides.
   explicit Polygon(std::vector<Loop> const& loops);
   explicit Polygon(Loop const& loop) : Polygon(std::vector<Loop>{loop}) {}
 
-  /// Exact, m.
+  /// Returns the exact signed distance of x, m.
   double signed_distance(Vec<2, double> const& x) const;
   bool contains(Vec<2, double> const& x) const;
   Box<2> bounds() const { return data_->bounds; }
-  /// The point of the sides that is nearest to x, m.
+  /// Returns the point of the sides that is nearest to x, m.
   Vec<2, double> nearest(Vec<2, double> const& x) const;
-  /// The area below a level of the last coordinate (m), m^2.
+  /// Returns the area (m^2) below a level (m) of the last coordinate.
   std::optional<double> exact_volume_below(double level) const;
 
  private:
   struct Data {
     std::vector<detail::Segment> sides;
-    std::vector<double> orientation;  // of each loop: 1 if its direction agrees with the inside on its left, or -1
+    std::vector<double> orientation;  // of each loop: 1 if the inside is on its left, otherwise -1
     std::vector<std::size_t> sizes;
     Box<2> bounds;
   };

@@ -35,7 +35,7 @@ struct Ball {
   Vec<Dim, double> outward_normal(Vec<Dim, double> const& x) const { return (x - centre).normalized(); }
 };
 
-/// A circular cylinder along a coordinate axis, between two planes across it.
+/// A circular cylinder along a coordinate axis, between two planes perpendicular to it.
 struct Cylinder {
   static constexpr int dim = 3;
   static constexpr char const* name = "Cylinder";
@@ -62,18 +62,18 @@ struct Cylinder {
   }
 };
 
-/// The half-space behind a plane.
+/// The half-space on the side of a plane opposite to its normal.
 template <int Dim>
 struct HalfSpace {
   static constexpr int dim = Dim;
-  Vec<Dim, double> point;   ///< of the plane, m
+  Vec<Dim, double> point;   ///< a point of the plane, m
   Vec<Dim, double> normal;  ///< pointing out of the shape, of any length above 0
 
   /// Throws std::invalid_argument if a parameter is out of its range.
   void check() const;
   double signed_distance(Vec<Dim, double> const& x) const;
   bool contains(Vec<Dim, double> const& x) const { return signed_distance(x) < 0; }
-  /// Finite on one side where the plane is aligned with the axes.
+  /// Returns bounds that are finite on one side if the plane is perpendicular to an axis, and otherwise infinite.
   Box<Dim> bounds() const;
   Vec<Dim, double> outward_normal(Vec<Dim, double> const&) const { return normal.normalized(); }
 };

@@ -8,9 +8,9 @@
 
 namespace scree {
 
-/// The section of a shape in space with the plane y = const, as a shape in the plane of x and z: for a run in two
-/// dimensions through a body from a file. Its signed distance is that in space: exact where the body does not change
-/// along y over this distance, otherwise a lower bound.
+/// The section of a shape in space with the plane y = const, as a shape in the plane of x and z, for a two-dimensional
+/// run with a body from a file. Its signed distance is that of the shape in space: exact where the shape does not
+/// change along y over this distance, otherwise a lower bound.
 template <Shape S>
 requires(S::dim == 3) struct Section {
   static constexpr int dim = 2;
@@ -30,14 +30,14 @@ requires(S::dim == 3) struct Section {
     };
   }
   bool contains(Vec<2, double> const& x) const { return shape.contains({x[0], y, x[1]}); }
-  /// The bounds of the whole shape along x and z.
+  /// Returns the bounds of the whole shape along x and z.
   Box<2> bounds() const {
     Box<3> const box = shape.bounds();
     return {{box.low[0], box.low[2]}, {box.high[0], box.high[2]}};
   }
 };
 
-/// y in m.
+/// Returns the section of a shape with the plane at y (m).
 template <Shape S>
 Section<S> section(S const& shape, double y) {
   return {shape, y};

@@ -13,7 +13,7 @@
 
 namespace scree {
 
-/// A block aligned with the axes, m. Its edges may be at infinity.
+/// A block aligned with the axes, m. Its sides may be at infinity.
 template <int Dim>
 struct Box {
   static constexpr int dim = Dim;
@@ -33,7 +33,7 @@ struct Box {
   bool contains(Vec<Dim, double> const& x) const {
     return (x.array() > low.array()).all() && (x.array() < high.array()).all();
   }
-  /// Exact, m.
+  /// Returns the exact signed distance of x, m.
   double signed_distance(Vec<Dim, double> const& x) const {
     Vec<Dim, double> const beyond = (low - x).cwiseMax(x - high);
     double const nearest = beyond.maxCoeff();
@@ -44,21 +44,21 @@ struct Box {
 
 /// A region of space, open (its boundary is not part of it):
 ///   dim                  the number of dimensions, 2 or 3
-///   signed_distance(x)   the distance of x (m) from the boundary, negative inside, m; never more than the distance in
-///                        magnitude
+///   signed_distance(x)   the distance of x (m) from the boundary, negative inside, m; its magnitude never exceeds the
+///                        true distance
 ///   contains(x)          whether x is inside: the signed distance is negative
-///   bounds()             a box around it, m; infinite where the shape is
+///   bounds()             a box around the shape, m; infinite where the shape is
 /// and optionally
 ///   outward_normal(x)    the unit vector along the gradient of the signed distance at x
-///   costly_distance      whether fillings should save evaluations of the signed distance: they do, relying on its
-///                        slope of one at most, and share the rest among the threads of the host: it must be safe to
-///                        call from several of them, and start no loop of Kokkos
-///   has_jumps()          whether the signed distance may change faster than its slope of one allows, as at the holes
-///                        of a mesh; fillings then save less
-///   walk()               a function that returns signed_distance(x) and is faster where successive points are close
-///   check()              throws std::invalid_argument where a parameter is out of its range; all that uses a shape
-///                        calls it first
-///   exact_volume_below(level)   std::optional<double>: the volume below a level of the last coordinate (m), m^dim
+///   costly_distance      whether fillings should avoid evaluations of the signed distance: they rely on its slope,
+///                        which is at most one, and distribute the other evaluations over the threads of the host;
+///                        signed_distance() must be thread-safe and must not start a Kokkos kernel
+///   has_jumps()          whether the signed distance may change faster than with a slope of one, as at the holes of a
+///                        mesh; fillings then avoid fewer evaluations
+///   walk()               a function that returns signed_distance(x) and is faster if successive points are close
+///   check()              throws std::invalid_argument if a parameter is out of its range; all functions that use a
+///                        shape call it first
+///   exact_volume_below(level)   the volume (m^dim) below a level of the last coordinate (m), a std::optional<double>
 template <class S>
 concept Shape = requires(S const& shape, Vec<S::dim, double> const& x) {
   { shape.signed_distance(x) } -> std::same_as<double>;
@@ -72,7 +72,7 @@ void check_shape(S const& shape) {
   if constexpr (requires { shape.check(); }) shape.check();
 }
 
-/// All of space, as a shape.
+/// Returns all of space as a shape.
 template <int Dim>
 Box<Dim> whole_space() {
   double const infinity = std::numeric_limits<double>::infinity();
@@ -80,17 +80,17 @@ Box<Dim> whole_space() {
 }
 
 namespace detail {
-/// The intersection of two boxes; without extent if it is empty.
+/// Returns the intersection of two boxes; a box without extent if it is empty.
 template <int Dim>
 Box<Dim> overlap(Box<Dim> const& a, Box<Dim> const& b) {
-  Box<Dim> both;  // element by element it compiles faster
+  Box<Dim> both;  // element-wise code compiles faster
   for (int axis = 0; axis < Dim; ++axis) {
     both.low[axis] = std::max(a.low[axis], b.low[axis]);
     both.high[axis] = std::max(std::min(a.high[axis], b.high[axis]), both.low[axis]);
   }
   return both;
 }
-/// The smallest box around two boxes.
+/// Returns the smallest box around two boxes.
 template <int Dim>
 Box<Dim> hull(Box<Dim> const& a, Box<Dim> const& b) {
   Box<Dim> both;
@@ -100,7 +100,7 @@ Box<Dim> hull(Box<Dim> const& a, Box<Dim> const& b) {
   }
   return both;
 }
-/// A box with every side moved outwards by a distance, m.
+/// Returns a box with every side moved outwards by a distance, m.
 template <int Dim>
 Box<Dim> grown(Box<Dim> const& box, double distance) {
   Box<Dim> larger;
@@ -111,7 +111,7 @@ Box<Dim> grown(Box<Dim> const& box, double distance) {
   return larger;
 }
 
-/// Whether a shape says that its signed distance takes long.
+/// Whether a shape declares that its signed distance is costly.
 template <class S>
 inline constexpr bool is_costly = false;
 template <class S>
@@ -124,8 +124,8 @@ bool has_jumps(S const& shape) {
   else
     return false;
 }
-/// The signed distance from a shape (m) as a function of points of which successive ones are close. It may refer to the
-/// shape; each thread needs its own.
+/// Returns the signed distance from a shape (m) as a function that is called with successive points close to each
+/// other. The function may refer to the shape; each thread needs its own.
 template <class S>
 auto walk(S const& shape) {
   if constexpr (requires { shape.walk(); })
@@ -139,7 +139,8 @@ concept OffersNormal = requires(S const& shape, Vec<S::dim, double> const& x) {
   shape.outward_normal(x);
 };
 
-/// Step of central differences, m: the cube root of the rounding error of the lengths that occur.
+/// Returns the step of central differences, m: the largest length that occurs times the cube root of the rounding
+/// error.
 template <Shape S>
 double difference_step(S const& shape, Vec<S::dim, double> const& x) {
   Box<S::dim> const box = shape.bounds();
@@ -151,7 +152,8 @@ double difference_step(S const& shape, Vec<S::dim, double> const& x) {
 }
 }  // namespace detail
 
-/// Normalised gradient of the signed distance; zero where it is undefined, as in the middle of a shape.
+/// Returns the normalised gradient of the signed distance at x; zero where it is undefined, as in the middle of a
+/// shape.
 template <Shape S>
 Vec<S::dim, double> outward_normal(S const& shape, Vec<S::dim, double> const& x) {
   if constexpr (detail::OffersNormal<S>) {
@@ -163,8 +165,8 @@ Vec<S::dim, double> outward_normal(S const& shape, Vec<S::dim, double> const& x)
       Vec<S::dim, double> const by = step * Vec<S::dim, double>::Unit(axis);
       gradient[axis] = (shape.signed_distance(x + by) - shape.signed_distance(x - by)) / (2 * step);
     }
-    // The gradient has length one except where several parts of the boundary are equally near; there only rounding
-    // remains.
+    // The gradient has length one, except where several parts of the boundary are equally near: there only rounding
+    // errors remain.
     return gradient.norm() > 1e-3 ? gradient.normalized() : Vec<S::dim, double>::Zero();
   }
 }

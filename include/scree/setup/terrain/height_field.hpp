@@ -17,9 +17,9 @@
 namespace scree {
 namespace detail {
 
-/// Heights at the points of a grid of straight lines, with one more line on each side: the heights of the edge continue
-/// outwards over a length of ten times the raster. A cell is divided into four triangles around its middle, whose
-/// height is the mean of its corners.
+/// Heights at the points of a raster and on one more line of points on each side, which continues the heights of the
+/// edge outwards over ten times the extent of the raster. A cell is divided into four triangles around its middle,
+/// whose height is the mean of those of the corners.
 class HeightGrid {
  public:
   explicit HeightGrid(Raster const& raster) : raster_(raster) {
@@ -36,7 +36,7 @@ class HeightGrid {
   double high() const { return high_; }
   Raster const& raster() const { return raster_; }
 
-  /// The corner of a cell; cells count from -1, the first one outside of the raster.
+  /// Returns the corner of a cell; cells are numbered from -1, the first one outside of the raster.
   Vec<3, double> corner(int i, int j) const {
     int const in_i = std::clamp(i, 0, raster_.columns - 1), in_j = std::clamp(j, 0, raster_.rows - 1);
     double const beyond = 10 * raster_.spacing * std::max(raster_.columns, raster_.rows);
@@ -54,7 +54,7 @@ class HeightGrid {
     return {Corners{c[0], c[1], middle}, Corners{c[1], c[2], middle}, Corners{c[2], c[3], middle},
             Corners{c[3], c[0], middle}};
   }
-  /// The height of the surface, m.
+  /// Returns the height of the surface, m.
   double height(double x, double y) const {
     double const u = std::clamp((x - raster_.x) / raster_.spacing, 0.0, double(raster_.columns - 1));
     double const v = std::clamp((y - raster_.y) / raster_.spacing, 0.0, double(raster_.rows - 1));
@@ -62,7 +62,7 @@ class HeightGrid {
     double const s = u - i - 0.5, t = v - j - 0.5;  // from the middle, in cells
     double const a = raster_.at(i, j), b = raster_.at(i + 1, j), c = raster_.at(i + 1, j + 1), d = raster_.at(i, j + 1);
     double const middle = (a + b + c + d) / 4;
-    // In the triangle at a side the height is linear: from the middle to the side, and along the side.
+    // The height is linear in each triangle: from the middle to the side, and along the side.
     if (std::abs(s) >= std::abs(t)) {
       double const from = s > 0 ? b : a, to = s > 0 ? c : d;
       return middle + 2 * std::abs(s) * ((from + to) / 2 - middle) + t * (to - from);
@@ -71,7 +71,7 @@ class HeightGrid {
     return middle + 2 * std::abs(t) * ((from + to) / 2 - middle) + s * (to - from);
   }
 
-  /// The least and the greatest height of blocks of 2^level x 2^level cells; the first level has the cells.
+  /// The smallest and the largest height in blocks of 2^level x 2^level cells; at level 0 the blocks are cells.
   struct Level {
     int columns = 0, rows = 0;
     std::vector<std::pair<double, double>> range;
@@ -122,7 +122,7 @@ class HeightGrid {
   std::vector<Level> levels_;
 };
 
-/// The point of the surface nearest to x.
+/// The search for the point of the surface that is nearest to x.
 class NearestHeight {
  public:
   NearestHeight(HeightGrid const& grid, Vec<3, double> const& x) : grid_(grid), x_(x) {
@@ -133,7 +133,8 @@ class NearestHeight {
   Vec<3, double> const& point() const { return point_; }
 
  private:
-  /// Searches a block of cells, unless its box is farther than a known point. The nearer half of a block comes first.
+  /// Searches a block of cells. Its parts are searched in the order of their distances from x, except those that are
+  /// farther away than a known point.
   void visit(std::size_t level, int i, int j) {
     if (level == 0) {
       for (auto const& triangle : grid_.triangles(i - 1, j - 1)) {
@@ -177,37 +178,38 @@ class NearestHeight {
 
 }  // namespace detail
 
-/// The ground below a surface z = h(x, y), as a shape. Between the points of the raster the surface consists of four
-/// triangles in each cell around its middle, whose height is the mean of its corners: bilinear interpolation to a
-/// sixteenth of the twist of the cell (h00 - h10 - h01 + h11). Beyond the raster the heights of its edge continue
-/// outwards, over ten times its extent. Copies share their data; host only.
+/// The ground below a surface z = h(x, y), as a shape. In each cell of the raster the surface consists of four
+/// triangles around the middle, whose height is the mean of those of the corners: this agrees with bilinear
+/// interpolation to within a sixteenth of the twist of the cell (h00 - h10 - h01 + h11). Beyond the raster, the heights
+/// of its edge continue outwards over ten times the extent of the raster. Copies share their data; host only.
 class HeightField {
  public:
   static constexpr int dim = 3;
   static constexpr bool costly_distance = true;
 
-  /// Throws std::runtime_error with the file and the first place without a value.
+  /// Throws std::runtime_error, with the file and the first such place, if the raster has a point without a value or
+  /// with a height beyond 1e5 m.
   explicit HeightField(Raster const& raster) : grid_(std::make_shared<detail::HeightGrid const>(raster)) {}
 
-  /// Exact, m.
+  /// Returns the exact signed distance of x, m.
   double signed_distance(Vec<3, double> const& x) const {
     double const distance = (nearest(x) - x).norm();
     return contains(x) ? -distance : distance;
   }
   bool contains(Vec<3, double> const& x) const { return x[2] < height(x[0], x[1]); }
-  /// Finite above only.
+  /// Returns bounds that are finite only above.
   Box<3> bounds() const {
     Box<3> box = whole_space<3>();
     box.high[2] = grid_->high();
     return box;
   }
-  /// The height of the surface, m; beyond the raster that of its nearest edge.
+  /// Returns the height of the surface, m; beyond the raster, the height at its nearest edge.
   double height(double x, double y) const { return grid_->height(x, y); }
-  /// The nearest point of the surface, m.
+  /// Returns the nearest point of the surface, m.
   Vec<3, double> nearest(Vec<3, double> const& x) const { return detail::NearestHeight(*grid_, x).point(); }
-  /// The raster that was given.
+  /// Returns the raster that was given.
   Raster const& raster() const { return grid_->raster(); }
-  /// The rectangle of the raster, between its lowest and its highest point, m.
+  /// Returns the rectangle of the raster, between its lowest and its highest point, m.
   Box<3> extent() const {
     Raster const& r = raster();
     return {{r.x, r.y, grid_->low()}, {r.x_of(r.columns - 1), r.y_of(r.rows - 1), grid_->high()}};

@@ -7,10 +7,11 @@
 
 namespace scree {
 
-/// The ground along a straight line over a raster, as a polygon in the plane: x is the distance from the first point,
-/// the second coordinate the height, by bilinear interpolation at steps of about the spacing of the raster. It is
-/// closed at `below` (m) under its lowest point. Throws std::runtime_error with the file where there is no value, and
-/// std::invalid_argument if the line has no length or `below` is not positive.
+/// Returns the ground along a straight line over a raster, as a polygon in the plane. The first coordinate is the
+/// distance from `from`, the second one the height, by bilinear interpolation at steps of about the spacing of the
+/// raster. The polygon is closed at `below` (m) under its lowest point. Throws std::runtime_error with the file if a
+/// point of the line has no value, and std::invalid_argument if the line has no length or is not shorter than 10 000
+/// spacings of the raster, or if `below` is not positive.
 inline Polygon profile_along(Raster const& raster, Vec<2, double> const& from, Vec<2, double> const& to, double below) {
   double const length = (to - from).norm();
   check_setting(length > 0 && std::isfinite(length), "length of a profile (m)", length, "above 0");

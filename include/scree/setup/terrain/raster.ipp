@@ -59,13 +59,13 @@ SCREE_BODY void check_marks(Raster const& raster) {
   }
 }
 
-/// The head of an ESRI ASCII grid: names and numbers in any order, in either case, each once.
+/// The head of an ESRI ASCII grid: names, in upper or lower case, with numbers, in any order, each once.
 struct GridHead {
   double ncols = 0, nrows = 0, x = 0, y = 0, cellsize = 0, nodata = -9999;
   bool has_x = false, has_y = false, x_of_centre = false, y_of_centre = false;
   std::vector<std::string> taken = {};  // names, without "corner" and "center"
 
-  /// Takes a line of the head; false if it is none.
+  /// Reads a line of the head; returns false if the line is not part of the head.
   bool take(TextReader const& reader) {
     std::string name(reader.word(0));
     if (!std::isalpha(static_cast<unsigned char>(name[0])) || name.size() > 12) return false;

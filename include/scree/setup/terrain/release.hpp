@@ -9,9 +9,9 @@
 
 namespace scree {
 
-/// Material on the ground, with a depth from a raster, as a shape: between the ground and the ground plus the depth,
-/// which is vertical. The depth is interpolated at the points of the ground; without a value it is zero. The volume of
-/// the release is that of the raster, the sum of its values times the area of its cells, to 1 %. Host only.
+/// Material on the ground, with a vertical depth from a raster, as a shape: between the ground and the ground plus the
+/// depth. The depth is interpolated at the points of the ground; it is zero where the raster has no value. The volume
+/// of the release is that of its raster, the sum of the values times the area of a cell, to 1 %. Host only.
 class Release {
  public:
   static constexpr int dim = 3;
@@ -19,12 +19,13 @@ class Release {
   static constexpr bool costly_distance = true;
 
   /// Throws std::runtime_error with the file if the depth is negative, above 1e5 m or nowhere above zero, if material
-  /// reaches the edge of the ground, or if its volume is not that of the raster, because this is finer than the ground.
+  /// reaches the edge of the ground, or if the volume at the points of the ground is not that of the raster, because
+  /// the raster is finer than the ground or extends beyond it.
   Release(HeightField const& ground, Raster const& depth) : ground_(ground), top_(raised(ground, depth)) {
     bounds_ = bounds_of(ground_.raster(), top_.raster());
   }
 
-  /// Exact inside; a lower bound outside.
+  /// Returns the signed distance, exact inside and a lower bound outside, m.
   double signed_distance(Vec<3, double> const& x) const {
     return std::max(top_.signed_distance(x), -ground_.signed_distance(x));
   }
@@ -32,7 +33,7 @@ class Release {
     return x[2] > ground_.height(x[0], x[1]) && x[2] < top_.height(x[0], x[1]);
   }
   Box<3> bounds() const { return bounds_; }
-  /// The volume below a level of z (m), m^3.
+  /// Returns the volume below a level of z (m), m^3.
   std::optional<double> exact_volume_below(double level) const {
     detail::HeightGrid const low(ground_.raster()), high(top_.raster());
     double sum = 0;
@@ -44,7 +45,8 @@ class Release {
       }
     return sum * sq(ground_.raster().spacing) / 4;
   }
-  /// The ground on which the released grains lie.
+  /// Returns the ground on which the released grains lie.
+  ///
   HeightField const& ground() const { return ground_; }
 
  private:

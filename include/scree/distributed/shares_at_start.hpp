@@ -3,7 +3,9 @@
 #pragma once
 
 #include "../core/setting.hpp"
-#include "body_at_start.hpp"
+#include "../fields/bodies.hpp"
+#include "../fields/groups.hpp"
+#include "../rigid/settings.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,24 +14,13 @@
 #include <string>
 #include <vector>
 
-// Checks of a case whose ranks begin with shares of the particles.
+// Checks of a case whose ranks begin with shares of the particles; Start is a BodyAtStart (solver/body_at_start.hpp).
 namespace scree::detail {
 
 /// Whether a case begins from shares.
-template <class List, class X>
-bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
+template <class List, class Start>
+bool begins_from_shares(PerBody<Start, List> const& start) {
   return std::any_of(start.all.begin(), start.all.end(), [](auto const& body) { return body.is_share; });
-}
-
-/// For a case on one rank. Throws std::invalid_argument if a range has only a share of its particles: no other rank has
-/// the rest.
-[[gnu::cold]] inline void check_whole(std::vector<RangeHere> const& ranges) {
-  for (RangeHere const& range : ranges)
-    if (range.here.size() != range.all.size())
-      throw std::invalid_argument(
-          formatted("scree: a share of %d of %d points is given, and the solver has no ranks: make it a "
-                    "Solver<OnRanks<F>>, or give all points",
-                    range.here.size(), range.all.size()));
 }
 
 /// Throws std::invalid_argument unless the ranges that all ranks have together contain each number once. `ranges` are
@@ -63,8 +54,8 @@ bool begins_from_shares(PerBody<BodyAtStart<X>, List> const& start) {
 }
 
 /// Throws std::invalid_argument unless all ranks have groups of the same names in the same order.
-template <class X, class Ranks>
-[[gnu::cold]] void check_same_groups(BodyAtStart<X> const& body, Ranks const& ranks, std::string const& name_of_body) {
+template <class Start, class Ranks>
+[[gnu::cold]] void check_same_groups(Start const& body, Ranks const& ranks, std::string const& name_of_body) {
   std::string names;
   for (auto const& name : body.names) (names += name) += '\n';
   std::vector<std::size_t> const here = {body.ranges.size(), std::hash<std::string>()(names)};
@@ -75,9 +66,14 @@ template <class X, class Ranks>
                                   ": each rank adds all groups in the same order, also where its share is empty");
 }
 
-/// Throws std::invalid_argument unless each body is given as shares that fit each other. All ranks call it together.
-template <class List, class X, class Ranks>
-[[gnu::cold]] void check_shares(PerBody<BodyAtStart<X>, List> const& start, Ranks const& ranks) {
+/// Throws std::invalid_argument unless each body is given as shares that fit each other, and none is a rigid one. All
+/// ranks call it together.
+template <class List, class Start, class Ranks>
+[[gnu::cold]] void check_shares(PerBody<Start, List> const& start, Ranks const& ranks) {
+  if (has_rigid_bodies<List>)
+    throw std::invalid_argument(
+        "scree: a case with rigid bodies cannot begin from shares: the surfaces of bodies and walls are found while "
+        "each rank has the whole case; give all points whole");
   for_each_body(List{}, [&]<class Body>() {
     auto const& body = start.template of<Body>();
     std::string const name(Body::name);
