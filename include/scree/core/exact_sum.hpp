@@ -26,7 +26,7 @@ class ExactSum {
     double const fraction = std::frexp(term, &exponent);
     auto const bits = static_cast<std::int64_t>(std::ldexp(std::abs(fraction), 53));
     int const place =
-        exponent - 53 + lowest;  // of the last bit; negative only for subnormal terms, whose lowest bits are zero
+        exponent - 53 + lowest;  // place of the last bit; negative only for subnormal terms, whose lowest bits are zero
     std::int64_t const sign = term < 0 ? -1 : 1;
     auto const digit = static_cast<std::size_t>(place < 0 ? 0 : place / width);
     auto const wide = place < 0 ? Wide(bits >> -place) : Wide(bits) << (place % width);

@@ -6,8 +6,8 @@
 
 namespace scree {
 
-/// The constants of a term in double and in single precision. A single-precision loop that converted them would either
-/// do so for every pair or need a register for each constant.
+/// The constants of a term in double and in single precision. A single-precision loop with constants in double
+/// precision would convert them for each pair, or keep a register for each.
 template <int Size>
 class InBothPrecisions {
   Vec<Size, double> exact_ = zero<Vec<Size, double>>();

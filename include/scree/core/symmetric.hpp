@@ -52,7 +52,7 @@ SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Small<Real, N, Columns> b,
   Real largest = A(0, 0);
   for (int k = 1; k < N; ++k) largest = Kokkos::max(largest, A(k, k));
   Real const least = tolerance * largest;
-  Real inverse[N];  // of the pivots
+  Real inverse[N];  // reciprocals of the pivots
   for (int k = 0; k < N; ++k) {
     if (!(A(k, k) > least)) return false;
     inverse[k] = 1 / A(k, k);
