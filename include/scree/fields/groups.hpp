@@ -29,7 +29,7 @@ struct IdentityRange {
 /// The ranges of Identity numbers of a body or of a group at the start of a case, on this rank and on all ranks
 /// together.
 struct RangeHere {
-  IdentityRange here, all;  ///< on this rank, and on all ranks
+  IdentityRange here, all;  ///< the range on this rank, and the range on all ranks
 };
 
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are

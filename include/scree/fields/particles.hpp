@@ -80,8 +80,8 @@ class UntypedParticles {
   using MemorySpace = typename Space::memory_space;
   struct Kind {
     std::string_view name;
-    std::size_t bytes;   // of a value
-    std::size_t stride;  // from one value to the next
+    std::size_t bytes;   // the size of a value
+    std::size_t stride;  // the distance from one value to the next
     void const* field;   // the address of its field_key
   };
 

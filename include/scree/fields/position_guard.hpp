@@ -26,8 +26,8 @@ struct PositionGuard {
   using vector = Vec<P::dim, typename P::real>;
   static constexpr int none = std::numeric_limits<int>::max();
 
-  ArraySpan<P, vector const> kept;       ///< m
-  typename P::real squared_limit = 0;    ///< m^2
+  ArraySpan<P, vector const> kept;       ///< positions at the last build, m
+  typename P::real squared_limit = 0;    ///< square of the largest valid displacement, m^2
   int volatile* first_beyond = nullptr;  ///< number of an update, or `none`
   int update = 0;                        ///< number of the next update
 
