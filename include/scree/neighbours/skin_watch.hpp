@@ -20,7 +20,7 @@ namespace detail {
 /// continue from one body to the next.
 template <class P>
 struct LargestDisplacement {
-  static constexpr int most = 4;  // bodies
+  static constexpr int most = 4;  // largest number of bodies
   using real = typename P::real;
   using value_type = real;
   PositionSpan<P> now[most], then[most];
@@ -65,7 +65,7 @@ struct ListsOutrun {};
 template <class P>
 class SkinWatch {
  public:
-  using Now = std::vector<Places<P>> const&;  // of each body
+  using Now = std::vector<Places<P>> const&;  // the places of each body
   using vector = Vec<P::dim, typename P::real>;
   using Kept = Array<P, vector>;
   using Guard = detail::PositionGuard<P>;
@@ -150,7 +150,7 @@ class SkinWatch {
     Kept x;
     int owned = 0;
   };
-  std::vector<Built> kept_;  // of each body
+  std::vector<Built> kept_;  // the positions of each body at the last build
   long builds_ = 0;
   History history_;
   bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists exist and were valid when used

@@ -23,7 +23,7 @@ template <class P, class OnDevice>
 struct Table {
   using Number = std::conditional_t<runs_on_host<P>, std::size_t, OnDevice>;
   int* entries = nullptr;
-  int rows = 0, capacity = 0;  // of each row
+  int rows = 0, capacity = 0;  // number of rows, and capacity of each row
   int lanes = 1;               // a power of two; divides `capacity`
 
   SCREE_LOOP_FN Number place(int row, int k) const {
@@ -39,7 +39,7 @@ template <class P, class OnDevice>
 struct CandidateRows {
   static constexpr bool are_numbered = false;
   using Entries = Table<P, OnDevice>;
-  Span<int> lengths;  // of each target
+  Span<int> lengths;  // number of candidates of each target
   Entries table;
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
@@ -142,8 +142,8 @@ template <class P, class Rows, class Order = ByIndex>
 class ListInRows {
  public:
   using Cells = CellList<P, Order>;
-  static constexpr double skin = 0.1;   // fraction of the radius
-  static constexpr int many = 1 << 14;  // targets
+  static constexpr double skin = 0.1;   // as a fraction of the radius
+  static constexpr int many = 1 << 14;  // least number of targets for numbered rows
 
   struct View : Rows {
     template <class F>
@@ -177,7 +177,7 @@ class ListInRows {
   /// Allocates `rows` rows of the given length, with some slack in the dimension that was too small.
   void reserve_rows(int targets, int rows, int length);
 
-  SkinWatch<P> watch_;  // targets and other sources
+  SkinWatch<P> watch_;  // of targets and other sources
   Cells cells_;
   long builds_ = 0;
   Array<P, int> lengths_, numbers_;
