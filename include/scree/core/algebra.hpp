@@ -11,34 +11,37 @@
 
 /// Marks a function that runs on the host and on the device.
 #define SCREE_FN KOKKOS_INLINE_FUNCTION
-/// Marks a function that is called inside a pair loop, on the host or on the device, and must be inlined: compilers
-/// stop inlining in large loops.
+/// Marks a function that is called inside a pair loop, on the host or on the device, and forces its inlining, because
+/// compilers stop inlining in large loops.
 #define SCREE_LOOP_FN KOKKOS_FORCEINLINE_FUNCTION
 
-// Arithmetic of small vectors and matrices. Code in namespace scree finds these operators before Eigen's, whose
-// expression templates take most of the compile time and gain nothing for so few numbers. All other operations (blocks,
-// comparisons, inverses) are functions of Eigen.
+// Arithmetic for small vectors and matrices. In namespace scree, these operators take precedence over Eigen's, whose
+// expression templates would account for most of the compile time and gain nothing for so few numbers. Eigen provides
+// all other operations (blocks, comparisons, inverses).
 namespace scree {
 
-/// A small matrix. DontAlign: the layout must not depend on the compiler flags of a translation unit.
+/// A small matrix. It is not aligned (DontAlign), so that its layout does not depend on the compiler flags of a
+/// translation unit.
 template <class Real, int Rows, int Cols>
 using Small = Eigen::Matrix<Real, Rows, Cols, Eigen::DontAlign>;
 
 namespace detail {
 
-/// An Eigen type that refers to other objects instead of holding numbers.
+/// Whether an Eigen type refers to other objects instead of holding numbers.
 template <class T>
 inline constexpr bool is_expression = false;
 template <class T>
 requires std::is_base_of_v<Eigen::EigenBase<T>, T>
 inline constexpr bool is_expression<T> = !std::is_base_of_v<Eigen::PlainObjectBase<T>, T>;
 
-/// Numbers that multiply a matrix of Real without loss of precision.
+/// Whether a scalar of type Number may multiply or divide a matrix of Real: Real itself, an integer or, if Real is a
+/// pack, a number that converts to Real.
 template <class Number, class Real>
 concept FactorOf = std::is_same_v<Number, Real> || std::is_integral_v<Number> ||
     (std::is_arithmetic_v<Number> && !std::is_arithmetic_v<Real> && std::is_convertible_v<Number, Real>);
 
-/// Element-wise arithmetic, unrolled here: compilers unroll loops too late to keep the numbers in registers.
+/// Arithmetic on the entries of small matrices, unrolled explicitly because compilers unroll loops too late to keep the
+/// numbers in registers.
 template <class Indices>
 struct Entries;
 template <std::size_t... K>
@@ -71,7 +74,7 @@ struct Entries<std::index_sequence<K...>> {
   SCREE_LOOP_FN static void copy(Real* a, Real const* b) {
     ((a[K] = b[K]), ...);
   }
-  /// Sum over every `StepA`-th number of a times every `StepB`-th of b.
+  /// Returns the sum of the products of every `StepA`-th number of a and every `StepB`-th number of b.
   template <std::size_t StepA, std::size_t StepB, class Real>
   SCREE_LOOP_FN static Real dot(Real const* a, Real const* b) {
     return (... + (a[K * StepA] * b[K * StepB]));
@@ -145,7 +148,7 @@ template <class Real, int Rows, int Cols, detail::FactorOf<Real> Number>
 SCREE_LOOP_FN Small<Real, Rows, Cols> operator/(Small<Real, Rows, Cols> a, Number const& divisor) {
   return a /= divisor;
 }
-/// The matrix product.
+/// Returns the matrix product of a and b.
 template <class Real, int Rows, int Inner, int Cols>
 SCREE_LOOP_FN Small<Real, Rows, Cols> operator*(Small<Real, Rows, Inner> const& a, Small<Real, Inner, Cols> const& b) {
   Small<Real, Rows, Cols> c;
@@ -153,46 +156,46 @@ SCREE_LOOP_FN Small<Real, Rows, Cols> operator*(Small<Real, Rows, Inner> const& 
   return c;
 }
 
-/// The product $a \cdot b$; for matrices the double contraction $a : b$.
+/// Returns the dot product $a \cdot b$ of two vectors, or the double contraction $a : b$ of two matrices.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real dot(Small<Real, Rows, Cols> const& a, Small<Real, Rows, Cols> const& b) {
   return detail::EntriesOf<Rows * Cols>::template dot<1, 1>(a.data(), b.data());
 }
-/// $\lvert a\rvert^2$; for matrices the square of the Frobenius norm.
+/// Returns $\lvert a\rvert^2$ for a vector, or the square of the Frobenius norm for a matrix.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real squared_norm(Small<Real, Rows, Cols> const& a) {
   return dot(a, a);
 }
-/// The norm $\lvert a\rvert$ of a vector, and the Frobenius norm of a matrix.
+/// Returns the norm $\lvert a\rvert$ of a vector, or the Frobenius norm of a matrix.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Real norm(Small<Real, Rows, Cols> const& a) {
   return Kokkos::sqrt(squared_norm(a));
 }
-/// The outer product $a \otimes b$.
+/// Returns the outer product $a \otimes b$.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Small<Real, Rows, Cols> outer(Small<Real, Rows, 1> const& a, Small<Real, Cols, 1> const& b) {
   Small<Real, Rows, Cols> c;
   detail::EntriesOf<Rows * Cols>::template outer<Rows>(c.data(), a.data(), b.data());
   return c;
 }
-/// The cross product $a \times b$.
+/// Returns the cross product $a \times b$.
 template <class Real>
 SCREE_LOOP_FN Small<Real, 3, 1> cross(Small<Real, 3, 1> const& a, Small<Real, 3, 1> const& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// The transpose of a matrix.
+/// Returns the transpose of a matrix.
 template <class Real, int Rows, int Cols>
 SCREE_LOOP_FN Small<Real, Cols, Rows> transposed(Small<Real, Rows, Cols> const& a) {
   Small<Real, Cols, Rows> c;
   detail::EntriesOf<Rows * Cols>::template transpose<Rows, Cols>(c.data(), a.data());
   return c;
 }
-/// The sum of the diagonal entries of a matrix.
+/// Returns the sum of the diagonal entries of a matrix.
 template <class Real, int Dim>
 SCREE_LOOP_FN Real trace(Small<Real, Dim, Dim> const& a) {
   return detail::EntriesOf<Dim>::template sum<Dim + 1>(a.data());
 }
-/// A number followed by the components of a vector.
+/// Returns a vector that consists of a number followed by the components of another vector.
 template <class Real, int Size>
 SCREE_LOOP_FN Small<Real, Size + 1, 1> joined(Real const& first, Small<Real, Size, 1> const& rest) {
   Small<Real, Size + 1, 1> all;
@@ -201,7 +204,7 @@ SCREE_LOOP_FN Small<Real, Size + 1, 1> joined(Real const& first, Small<Real, Siz
   return all;
 }
 
-/// The additive zero of a number or of a small matrix.
+/// Returns the zero of a number type or of a small matrix type.
 template <class T>
 SCREE_LOOP_FN T zero() {
   if constexpr (requires { typename T::Scalar; }) {
@@ -212,7 +215,7 @@ SCREE_LOOP_FN T zero() {
     return T(0);
   }
 }
-/// The identity of a square matrix type.
+/// Returns the identity matrix of a square matrix type.
 template <class Matrix>
 SCREE_LOOP_FN Matrix identity_matrix() {
   Matrix unit = zero<Matrix>();

@@ -12,11 +12,11 @@
 #include <unistd.h>
 #endif
 
-// Checks that memory is sufficient before particles are created. A system may grant more memory than it has, and kill
-// the program when it is used.
+// Checks for sufficient memory before particles are created. An operating system may grant more memory than it has, and
+// kill the program when the memory is used.
 namespace scree {
 
-/// The largest number of particles of a body: numbers of particles are of type int.
+/// The largest number of particles in a body; particles are counted in an int.
 inline constexpr int most_particles = std::numeric_limits<int>::max();
 
 namespace detail {
@@ -25,22 +25,24 @@ inline double& assumed_memory() {
   return bytes;
 }
 }  // namespace detail
-/// Limits the memory of the host and of a device that counts as free, in bytes: for a machine that is shared with other
-/// programs, and for tests. Infinite: no limit.
+/// Limits the memory that counts as free, in bytes, both on the host and on a device. The limit serves for tests and
+/// for a machine that is shared with other programs; an infinite value means no limit.
 inline void assume_free_memory(double bytes) { detail::assumed_memory() = bytes; }
 
-/// Bytes that this process may still allocate, as far as the system reports it; infinite otherwise.
+/// Returns the number of bytes that this process may still allocate, at most the limit of assume_free_memory(). If the
+/// system does not report the number, returns that limit, which is infinite by default.
 double available_memory();
 
-/// Throws std::invalid_argument if the number of particles does not fit an int.
+/// Throws std::invalid_argument if the number of particles does not fit in an int.
 void check_number(double particles);
 namespace detail {
 void check_bytes(double particles, double needed, double there, char const* of_what);
 }  // namespace detail
-/// Throws std::invalid_argument if the number of particles does not fit an int, or if the host has too little memory
-/// for them.
+/// Throws std::invalid_argument if the number of particles does not fit in an int, or if the host has too little memory
+/// for the particles.
 void check_memory(double particles, double bytes_of_each);
-/// A number of particles or values, converted to int.
+/// Returns a number of particles or values as an int. Throws std::invalid_argument if the number does not fit in an
+/// int.
 inline int checked_count(std::size_t number) {
   check_number(double(number));
   return static_cast<int>(number);

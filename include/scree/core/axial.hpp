@@ -4,14 +4,15 @@
 
 #include "types.hpp"
 
-// Antisymmetric tensors of second order as axial vectors: W x = w x x. In 2D one number, the entry 21.
+// Antisymmetric tensors W of second order, stored as axial vectors w, so that W x is the cross product of w and x. In
+// 2D, the axial vector has one entry, W_21.
 namespace scree {
 
 /// The number of entries of an axial vector.
 template <int Dim>
 inline constexpr int axial_size = Dim*(Dim - 1) / 2;
 
-/// The axial vector of M - M^T.
+/// Returns the axial vector of M - M^T.
 template <int Dim, class Real>
 SCREE_FN Vec<axial_size<Dim>, Real> twice_axial(Mat<Dim, Real> const& M) {
   Vec<axial_size<Dim>, Real> a;
@@ -25,13 +26,14 @@ SCREE_FN Vec<axial_size<Dim>, Real> twice_axial(Mat<Dim, Real> const& M) {
   return a;
 }
 
-/// The product of an axial vector in 2D with a vector. In 3D it is the cross product of vectors (core/algebra.hpp).
+/// Returns the product of a 2D axial vector and a vector. In 3D, the product is the cross product of two vectors
+/// (core/algebra.hpp).
 template <class Real>
 SCREE_LOOP_FN Small<Real, 2, 1> cross(Small<Real, 1, 1> const& a, Small<Real, 2, 1> const& x) {
   return {-a[0] * x[1], a[0] * x[0]};
 }
 
-/// The antisymmetric tensor that has this axial vector.
+/// Returns the antisymmetric tensor with a given axial vector.
 template <int Dim, class Real>
 SCREE_FN Mat<Dim, Real> antisymmetric(Vec<axial_size<Dim>, Real> const& a) {
   auto W = zero<Mat<Dim, Real>>();

@@ -5,7 +5,7 @@
 namespace scree {
 
 /// The template arguments on which compiled loops depend: dimension, precision, kernel and execution space. All
-/// formulations with the same basis share their loops, so that another formulation compiles only its own code.
+/// formulations with the same basis share these loops, so that each further formulation compiles only its own code.
 template <int Dim, class Real, class Kernel, class Space>
 struct Basis {
   static constexpr int dim = Dim;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-// The bodies of functions that do not depend on a formulation are in files *.ipp next to their headers. A program that
-// uses the headers alone compiles them as inline functions; SCREE_COMPILED, which the CMake target scree::compiled
-// defines, says that they are in its library. The library also holds the instances of templates that headers declare
-// with SCREE_INSTANCE; sources in src/compiled make them.
+// Functions that do not depend on a formulation are defined in *.ipp files next to their headers. A header-only program
+// compiles them as inline functions. If SCREE_COMPILED is defined, as it is by the CMake target scree::compiled, these
+// functions come from that library. The library also contains the template instances that headers declare with
+// SCREE_INSTANCE; sources in src/compiled define these instances.
 #ifdef SCREE_COMPILED
 #define SCREE_BODY
 #ifndef SCREE_INSTANCE

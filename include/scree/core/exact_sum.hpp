@@ -10,9 +10,10 @@
 
 namespace scree {
 
-/// A sum of doubles without rounding, as a long fixed-point number (Kulisch accumulator): its value depends neither on
-/// the order of the terms nor on how they are divided among ranks. At most 2^30 terms may be added between two calls of
-/// value() or +=. A term that is not finite makes the value NaN. Host only.
+/// A sum of doubles without rounding, stored as a long fixed-point number (Kulisch accumulator). Its value depends
+/// neither on the order of the terms nor on how they are divided among ranks. At most 2^30 terms may be added
+/// consecutively; adding another ExactSum resets this count. An infinite or NaN term makes the value NaN. ExactSum
+/// works only on the host.
 class ExactSum {
  public:
   ExactSum& operator+=(double term) {
@@ -25,7 +26,7 @@ class ExactSum {
     double const fraction = std::frexp(term, &exponent);
     auto const bits = static_cast<std::int64_t>(std::ldexp(std::abs(fraction), 53));
     int const place =
-        exponent - 53 + lowest;  // of the last bit; negative only for subnormal terms, whose bits are zero
+        exponent - 53 + lowest;  // place of the last bit; negative only for subnormal terms, whose lowest bits are zero
     std::int64_t const sign = term < 0 ? -1 : 1;
     auto const digit = static_cast<std::size_t>(place < 0 ? 0 : place / width);
     auto const wide = place < 0 ? Wide(bits >> -place) : Wide(bits) << (place % width);
@@ -42,7 +43,7 @@ class ExactSum {
     carry();
     return *this;
   }
-  /// The sum, wrong by less than one unit in the last place.
+  /// Returns the sum with an error of less than one unit in the last place.
   double value() const {
     if (!finite_) return std::numeric_limits<double>::quiet_NaN();
     ExactSum magnitude = *this;
@@ -52,7 +53,7 @@ class ExactSum {
       for (auto& digit : magnitude.digits_) digit = -digit;
       magnitude.carry();
     }
-    // Add from the highest digit on: digits after the third non-zero one are below the last place.
+    // Add digits from the highest down; digits after the third significant one are below the last place.
     double sum = 0;
     int used = 0;
     for (std::size_t k = count; k-- > 0 && used < 3;) {
@@ -63,8 +64,8 @@ class ExactSum {
   }
 
  private:
-  __extension__ typedef unsigned __int128 Wide;  // nvcc takes no extension before an alias
-  static constexpr int width = 32;               // bits of a digit; the rest of it holds carries
+  __extension__ typedef unsigned __int128 Wide;  // nvcc rejects __extension__ on an alias
+  static constexpr int width = 32;               // bits of a digit; higher bits hold carries
   static constexpr int lowest = 1088;            // the last bit of digit 0 is worth 2^-lowest
   static constexpr std::size_t count = (1088 + 1024) / 32 + 4;
   static constexpr Wide mask = (Wide(1) << width) - 1;

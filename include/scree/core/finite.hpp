@@ -8,7 +8,7 @@
 
 namespace scree::detail {
 
-/// Whether all numbers of a value are finite.
+/// Whether all components of a value are finite.
 template <class T>
 SCREE_FN bool is_finite(T const& value) {
   if constexpr (std::is_integral_v<T>) {
@@ -22,7 +22,7 @@ SCREE_FN bool is_finite(T const& value) {
   }
 }
 
-/// The value, or infinity where it is negative or NaN: a maximum would ignore a NaN.
+/// Returns the value, or infinity if it is negative or NaN, because a maximum would ignore a NaN.
 template <class Real>
 SCREE_FN Real or_infinity(Real value) {
   constexpr Real infinity = Kokkos::Experimental::infinity_v<Real>;

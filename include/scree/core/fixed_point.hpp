@@ -11,14 +11,15 @@
 
 namespace scree {
 
-/// Doubles as whole multiples of a small unit. A sum of them is a sum of integers: its value depends neither on the
-/// order of the terms nor on how they are divided among threads and ranks. Each term is rounded to the unit, a power of
-/// two, about 2^-61 of the largest sum that can occur. ExactSum has no such rounding but works on the host alone.
+/// A representation of doubles as integer multiples of a small unit. A sum of doubles is then a sum of integers, whose
+/// value depends neither on the order of the terms nor on how they are divided among threads and ranks. Each term is
+/// rounded to the unit, a power of two that is about 2^-61 of the largest possible sum. ExactSum does not round terms
+/// but works only on the host.
 class FixedPoint {
  public:
   FixedPoint() = default;
-  /// For sums of at most `terms` terms of at most `largest` in magnitude. Throws std::invalid_argument if one of these
-  /// is negative or not finite.
+  /// Chooses the unit for sums of at most `terms` terms with magnitudes of at most `largest`. Throws
+  /// std::invalid_argument if `largest` or `terms` is negative or not finite.
   FixedPoint(double largest, double terms) {
     check_setting(largest >= 0 && std::isfinite(largest), "the largest term of a sum", largest, "finite");
     check_setting(terms >= 0 && std::isfinite(terms), "the number of terms of a sum", terms, "finite");
@@ -26,13 +27,13 @@ class FixedPoint {
     std::frexp(largest * std::max(terms, 1.0), &exponent);
     units_ = largest > 0 ? std::ldexp(1.0, std::min(61 - exponent, 1000)) : 1;
   }
-  /// A term in units.
+  /// Returns a term as a rounded number of units.
   SCREE_FN std::int64_t whole(double term) const { return static_cast<std::int64_t>(Kokkos::round(term * units_)); }
-  /// The value of a sum in units.
+  /// Returns the value of a sum that is given as a number of units.
   double value(std::int64_t sum) const { return double(sum) / units_; }
 
  private:
-  double units_ = 1;  // one in units
+  double units_ = 1;  // number of units in 1.0
 };
 
 }  // namespace scree

@@ -12,8 +12,9 @@
 
 namespace scree::detail {
 
-/// Calls work(layer) for each layer in [0, layers), on the threads of the host where Kokkos is initialised. A thread
-/// takes the next layer when it is ready. Throws one of the exceptions that `work` throws.
+/// Calls work(layer) for each layer in [0, layers), on the host threads of Kokkos if Kokkos is initialised and
+/// otherwise on the calling thread. A thread takes the next layer when it has finished its previous one. If `work`
+/// throws, skips the remaining layers and throws one of the exceptions.
 template <class Work>
 void for_each_layer(long layers, Work const& work) {
   std::atomic<long> next = 0;

@@ -12,15 +12,15 @@
 
 namespace scree {
 
-/// New instances of an execution space, none of them the default one: on a GPU streams, on a host pools of threads of
-/// the same size, which share the threads of the default instance and have one at least.
-/// Throws std::invalid_argument for less than one instance.
+/// Returns new instances of an execution space, none of which is the default instance. On a GPU, the instances are
+/// streams. On a host, they are thread pools of equal size, among which the threads of the default instance are
+/// divided; each pool has at least one thread. Throws std::invalid_argument for fewer than one instance.
 template <class Space>
 std::vector<Space> instances_of(int count) {
   check_setting(count > 0, "the number of instances", count, "1 or more");
   std::vector<Space> instances;
-  // partition_space() returns copies of one instance with OpenMP, unless OMP_MAX_ACTIVE_LEVELS allows nested regions,
-  // and with Serial.
+  // With Serial, and with OpenMP unless OMP_MAX_ACTIVE_LEVELS allows nested regions, partition_space() returns copies
+  // of a single instance.
 #ifdef KOKKOS_ENABLE_OPENMP
   if constexpr (std::is_same_v<Space, Kokkos::OpenMP>) {
     int const threads = std::max(1, Space().concurrency() / count);

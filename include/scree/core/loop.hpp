@@ -16,13 +16,13 @@
 #include <utility>
 #include <vector>
 
-// Parallel loops over indices, on a given instance of an execution space. On a GPU they are Kokkos loops. On a host one
-// Kokkos loop runs over portions of the range, one per thread, and calls any function through a pointer, so that it is
-// compiled once: a Kokkos loop takes ten times as long to compile as the function inside it.
+// Parallel loops over indices on a given instance of an execution space. On a GPU, they are Kokkos loops. On a host, a
+// single Kokkos loop runs over portions of the range, one per thread, and calls the loop body through a pointer. This
+// single loop is compiled only once; a Kokkos loop takes ten times as long to compile as the function inside it.
 namespace scree {
 namespace detail {
 
-/// A type-erased function of a portion of the indices.
+/// A type-erased function that is called for portions of a range of indices.
 class Portions {
  public:
   template <class Function>
@@ -51,22 +51,23 @@ int portions_of(Space const& space, int indices) {
   return std::clamp(space.concurrency(), 0, std::max(indices, 0));
 }
 
-/// Runs all portions.
+/// Runs all portions and waits until they have finished.
 template <class Space>
 void run_portions(Space const& space, std::string_view label, int count, Portions const& portions) {
   std::string const name(label);
   Kokkos::parallel_for(name, Kokkos::RangePolicy<Space>(space, 0, count), portions);
-  space.fence(name);  // the function belongs to the caller; OpenMP does not wait here
+  space.fence(name);  // the caller owns the function; OpenMP itself does not wait
 }
 
-/// Calls function(portion, from, to) for each portion of [first, last).
+/// Calls function(portion, from, to) for each of `count` portions of [first, last).
 template <class Space, class Function>
 void for_each_portion(Space const& space, std::string_view label, int first, int last, int count,
                       Function const& function) {
   run_portions(space, label, count, Portions(function, first, last, count));
 }
 
-/// Memory for one value of each portion, whatever their type: reduce() compiles faster without a vector of each.
+/// Untyped memory for one value per portion. With it, reduce() compiles faster than with a std::vector of each value
+/// type.
 class ValuesOfPortions {
  public:
   ValuesOfPortions(int count, std::size_t bytes_of_each)
@@ -84,7 +85,7 @@ class ValuesOfPortions {
   std::size_t each_;
 };
 
-/// Kokkos reduces by summation unless it finds exactly these signatures.
+/// Whether a function has init() and join() with exactly these signatures; otherwise Kokkos would reduce by summation.
 template <class Function, class Value = typename Function::value_type>
 concept Reduction = requires {
   static_cast<void (Function::*)(Value&) const>(&Function::init);
@@ -105,8 +106,8 @@ void for_each_index(Space const& space, std::string_view label, int first, int l
     Kokkos::parallel_for(std::string(label), Kokkos::RangePolicy<Space>(space, first, last), function);
 }
 
-/// Returns the reduction of function(i, value) over all i in [0, count). init(value) initialises a
-/// Function::value_type; join(value, other) combines two.
+/// Returns the reduction of function(i, value) over all i in [0, count). function.init(value) initialises a value of
+/// type Function::value_type, and function.join(value, other) merges `other` into `value`.
 template <class Space, detail::Reduction Function>
 typename Function::value_type reduce(Space const& space, std::string_view label, int count, Function const& function) {
   using Value = typename Function::value_type;
@@ -132,7 +133,7 @@ typename Function::value_type reduce(Space const& space, std::string_view label,
 
 namespace detail {
 
-/// The largest of some numbers, for reduce(); 0 if none is above it.
+/// A function for reduce() that finds the largest of some integers, or 0 if none is positive.
 struct LargestValue {
   using value_type = int;
   Span<int const> values;
@@ -140,7 +141,7 @@ struct LargestValue {
   SCREE_FN void join(int& largest, int const& other) const { largest = Kokkos::max(largest, other); }
   SCREE_FN void operator()(int k, int& largest) const { largest = Kokkos::max(largest, values(k)); }
 };
-/// A team of threads sums the indices of each range.
+/// A kernel in which one team of threads per range sums function(i) over the indices of the range.
 template <class Function>
 struct SumOfRange {
   Function function;
@@ -157,9 +158,10 @@ struct SumOfRange {
 };
 }  // namespace detail
 
-/// function.store(range, sum) for each range [bounds(range), bounds(range + 1)) of indices, with the sum of function(i)
-/// over it, in one launch. The order of the sum is the same whenever it is repeated. The default value of a
-/// Function::value_type is zero, and += adds; on a GPU, Kokkos::reduction_identity gives zero, too.
+/// Calls function.store(range, sum) for each range [bounds(range), bounds(range + 1)) of indices, with the sum of
+/// function(i) over the range. All ranges need only one kernel launch, and repeated calls sum in the same order. A
+/// default-constructed Function::value_type must be zero, and += must add; on a GPU, Kokkos::reduction_identity must
+/// give zero as well.
 template <class Space, class Function>
 void sum_ranges(Space const& space, std::string_view label, Span<int const> bounds, Function const& function) {
   int const ranges = bounds.size() - 1;
@@ -176,8 +178,8 @@ void sum_ranges(Space const& space, std::string_view label, Span<int const> boun
   }
 }
 
-/// Calls function(i, sum, last) for all i in [0, count). `sum` is the sum over all preceding indices, and the function
-/// adds its own contribution; `sum` is final only where `last` is true. Returns the total.
+/// Calls function(i, sum, last) for all i in [0, count). `sum` is the sum over all preceding indices, to which the
+/// function adds the contribution of i; `sum` is final only if `last` is true. Returns the total.
 template <class Space, class Function>
 int running_sum(Space const& space, std::string_view label, int count, Function const& function) {
   int total = 0;

@@ -4,11 +4,11 @@
 
 #include <type_traits>
 
-// Optional members of models. A member with the right name that has other parameters than those it is called with, or
-// is not const, would be ignored. These concepts find such a member by its name.
+// Concepts that find optional members of models by name alone. Without them, a member with the right name but the wrong
+// parameters, or without const, would be silently ignored.
 namespace scree::detail {
 
-// A name that both bases of a class have is ambiguous, whatever it names.
+// If both bases of a class have a member of the same name, the name is ambiguous, whatever kind of member it is.
 #define SCREE_HAS_MEMBER(Concept, member)                                    \
   struct Other##Concept {                                                    \
     int member;                                                              \
@@ -20,7 +20,7 @@ namespace scree::detail {
     &With##Concept<T>::member;                                               \
   }
 
-/// Whether a class has a member of that name: a variable, a type, or a function with any parameters.
+/// Whether a class has a member with the given name: a variable, a type, or a function with any parameters.
 SCREE_HAS_MEMBER(HasMemberCheck, check);
 SCREE_HAS_MEMBER(HasMemberValidity, validity);
 SCREE_HAS_MEMBER(HasMemberFilters, filters);
@@ -32,7 +32,7 @@ SCREE_HAS_MEMBER(HasMemberTerms, terms);
 SCREE_HAS_MEMBER(HasMemberAcceleration, acceleration);
 #undef SCREE_HAS_MEMBER
 
-/// A law or physics with a mistake, which the compiler has already reported.
+/// Whether a law or a physics model has a mistake that the compiler has already reported.
 template <class T>
 concept IsRefused = requires {
   typename T::refused;

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-// The vector types of GCC and clang; device compilers cannot compile operations on them.
+// Packs use the vector types of GCC and Clang; device compilers cannot compile operations on these types.
 #if defined(__GNUC__) && !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
 #define SCREE_HAS_PACKS
 #if defined(__AVX__)
@@ -18,13 +18,13 @@
 #endif
 #endif
 
-// Packs are SIMD vectors of numbers: with them the terms of a pair loop compute several pairs at once on a CPU.
+// Packs are SIMD vectors of numbers, with which the terms of a pair loop compute several pairs at once on a CPU.
 namespace scree {
 
-/// Whether operator() of a term or a lens, or the functions of a kernel, accept packs in place of numbers; they declare
-/// it by `static constexpr bool takes_packs = true`. Such code cannot branch on the numbers of a pair (`if`, `?:`),
-/// because they differ between lanes; it uses select(), min(), max(), smaller(), magnitude(), root(), quotient(),
-/// ratio() and exp() instead. Such code cannot read integer fields of particle j.
+/// Whether operator() of a term or a lens, or the functions of a kernel, accept packs in place of numbers. A class
+/// declares this by `static constexpr bool takes_packs = true`. Code for packs cannot branch on the numbers of a pair
+/// (`if`, `?:`), because the numbers differ between lanes; it uses select(), min(), max(), smaller(), magnitude(),
+/// root(), quotient(), ratio() and exp() instead. Code for packs cannot read integer fields of particle j.
 template <class T>
 inline constexpr bool takes_packs = false;
 template <class T>
@@ -45,7 +45,7 @@ struct NumberIn<Pack<Real, Size>> {
 };
 }  // namespace detail
 
-/// The scalar type of a pack; a number itself.
+/// The type of the numbers in a pack; for a number, its own type.
 template <class T>
 using number_in = typename detail::NumberIn<T>::type;
 
@@ -63,12 +63,12 @@ inline constexpr int bytes_of_pack = 8;
 #endif
 }  // namespace detail
 
-/// The numbers that one vector instruction of the processor holds, as given by the compiler flags (-march), limited to
-/// 32 bytes because rows of neighbours are short.
+/// The number of values that one vector instruction processes, according to the compiler flags (-march). A pack has at
+/// most 32 bytes, because rows of neighbours are short.
 template <class Real>
 inline constexpr int native_lanes = detail::bytes_of_pack / int(sizeof(Real));
 
-/// A SIMD vector: operations apply to each lane. The number of lanes is a power of two.
+/// A SIMD vector whose operations apply to each lane. The number of lanes is a power of two.
 template <class Real, int Size = native_lanes<Real>>
 class Pack {
   using Lanes [[gnu::vector_size(Size * sizeof(Real))]] = Real;
@@ -78,10 +78,10 @@ class Pack {
   static constexpr int size = Size;
 
   Pack() = default;
-  /// A pack with one number in all lanes.
+  /// Sets all lanes to one number.
   template <class Number>
   requires std::is_arithmetic_v<Number> Pack(Number x) : lanes_(static_cast<Real>(x) - Lanes{}) {}  // -0 - 0 is -0
-  /// value(k) in lane k.
+  /// Returns a pack with value(k) in lane k.
   template <class Value>
   requires std::is_invocable_r_v<Real, Value, int>
   static Pack of(Value const& value) {
@@ -90,7 +90,7 @@ class Pack {
   }
 
   Real operator[](int lane) const { return lanes_[lane]; }
-  /// The sum of the first `count` lanes.
+  /// Returns the sum of the first `count` lanes.
   Real sum(int count) const {
     Real total = 0;
     if (count != size) {
@@ -119,7 +119,7 @@ class Pack {
   Pack& operator*=(Pack const& b) { return *this = *this * b; }
   Pack& operator/=(Pack const& b) { return *this = *this / b; }
 
-  /// Lane-wise comparison: a condition for select(), not for `if`.
+  /// Compares two packs lane by lane. Returns a condition for select(), not for `if`.
   friend Which operator<(Pack const& a, Pack const& b) { return a.lanes_ < b.lanes_; }
   friend Which operator>(Pack const& a, Pack const& b) { return a.lanes_ > b.lanes_; }
   friend Which operator<=(Pack const& a, Pack const& b) { return a.lanes_ <= b.lanes_; }
@@ -134,7 +134,7 @@ class Pack {
     return false;
   }
 
-  // As for numbers, the result is the second argument if one of the two is NaN.
+  // As with numbers, min() and max() return the second argument if either argument is NaN.
   friend Pack min(Pack const& a, Pack const& b) { return select(a < b, a, b); }
   friend Pack max(Pack const& a, Pack const& b) { return select(a > b, a, b); }
   friend Pack exp(Pack const& x) {
@@ -164,7 +164,7 @@ class Pack {
 #else
 inline constexpr bool has_packs = false;
 
-/// An empty declaration for compilers without packs.
+/// A declaration without a definition, for compilers without packs.
 template <class Real, int Size = 1>
 class Pack;
 #endif

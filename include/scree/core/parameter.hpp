@@ -8,7 +8,7 @@
 
 namespace Eigen {
 template <class, int, int, int, int, int>
-class Matrix;  // without its header, which a program with case files does not need otherwise
+class Matrix;  // declared here, because a program with case files does not otherwise need its header
 }
 
 // A model declares each of its parameters once:
@@ -23,25 +23,26 @@ class Matrix;  // without its header, which a program with case files does not n
 //       void check() const { check_parameters(*this); }
 //     };
 //
-// The check of the model (setting.hpp) and the options of a program that names it (app/schema.hpp) follow from this.
+// The check of the model (setting.hpp) and the options of a program that names the model (app/schema.hpp) follow from
+// this list.
 namespace scree {
 
-// With a compiler without consteval, mistakes are found at run time instead of compile time.
+// If the compiler does not support consteval, mistakes are found at run time instead of compile time.
 #ifdef __cpp_consteval
 #define SCREE_CONSTEVAL consteval
 #else
 #define SCREE_CONSTEVAL constexpr
 #endif
 
-/// Numbers from `from` to `to`; without the end itself where it is open.
+/// The range of numbers from `from` to `to`. An end that is open is not part of the range.
 struct ParameterRange {
-  double from = -std::numeric_limits<double>::infinity();  ///< the least value
+  double from = -std::numeric_limits<double>::infinity();  ///< the smallest value
   double to = std::numeric_limits<double>::infinity();     ///< the largest value
   bool open = false;                                       ///< whether `from` itself is excluded
-  bool open_end = false;                                   ///< whether `to` is excluded; if infinite, x is finite
-  char const* words = nullptr;  ///< for messages, where the range also depends on other parameters: "mu_s or more"
+  bool open_end = false;                                   ///< whether `to` itself is excluded, also if infinite
+  char const* words = nullptr;  ///< for messages, if the range also depends on other parameters: "mu_s or more"
 
-  /// False for a NaN.
+  /// Whether x is in the range; false if x is NaN.
   constexpr bool has(double x) const { return (open ? x > from : x >= from) && (open_end ? x < to : x <= to); }
   /// Whether all finite numbers of `other` are in this range.
   constexpr bool includes(ParameterRange const& other) const {
@@ -53,47 +54,49 @@ struct ParameterRange {
   }
 };
 
-/// The ranges of parameters. Only finite numbers, except in *_or_infinite.
+/// Functions that return ranges of parameters. Only ranges from functions named *_or_infinite include infinity.
 namespace allowed {
-/// The end of a range without end.
+/// Infinity, as the end of an unbounded range.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-/// All finite numbers.
+/// Returns the range of all finite numbers.
 constexpr ParameterRange finite() { return {-infinity, infinity, true, true}; }
-/// Above `from`.
+/// Returns the range of finite numbers above `from`.
 constexpr ParameterRange above(double from) { return {from, infinity, true, true}; }
-/// Above `from` and at most `to`.
+/// Returns the range of numbers above `from` and at most `to`.
 constexpr ParameterRange above(double from, double to) { return {from, to, true, false}; }
-/// `words` replace "above `from`" where the lower end also depends on other parameters, which the model checks itself.
+/// Returns the range of finite numbers above `from`. In messages, `words` replace "above `from`" if the lower end also
+/// depends on other parameters, which the model checks itself.
 constexpr ParameterRange above(double from, char const* words) { return {from, infinity, true, true, words}; }
-/// Above `from`, infinity included.
+/// Returns the range of numbers above `from`, including infinity.
 constexpr ParameterRange above_or_infinite(double from) { return {from, infinity, true, false}; }
-/// `from` or more. `words` replace "at least `from`" where the lower end also depends on other parameters.
+/// Returns the range of finite numbers of at least `from`. In messages, `words` replace "`from` or more" if the lower
+/// end also depends on other parameters.
 constexpr ParameterRange at_least(double from, char const* words = nullptr) {
   return {from, infinity, false, true, words};
 }
-/// `from` or more, infinity included.
+/// Returns the range of numbers of at least `from`, including infinity.
 constexpr ParameterRange at_least_or_infinite(double from) { return {from, infinity, false, false}; }
-/// From `from` to `to`, both included.
+/// Returns the range of numbers from `from` to `to`, both included.
 constexpr ParameterRange from_to(double from, double to) { return {from, to, false, false}; }
-/// Between `from` and `to`, both excluded.
+/// Returns the range of numbers between `from` and `to`, both excluded.
 constexpr ParameterRange between(double from, double to) { return {from, to, true, true}; }
 }  // namespace allowed
 
 namespace detail {
-// Not constexpr: a call in a constant expression is an error that shows this name.
+// Not constexpr, so that a call in a constant expression is an error that shows this name.
 [[noreturn]] inline void a_case_may_narrow_the_range_of_a_parameter_but_not_widen_it() {
   throw std::logic_error("scree: a case may narrow the range of a parameter but not widen it");
 }
 }  // namespace detail
 
-/// The name of a parameter, its unit, meaning and range.
+/// The name, unit, meaning and range of a parameter.
 struct ParameterAbout {
   char const* name;
-  char const* unit;     ///< SI; "1": none
+  char const* unit;     ///< SI; "1" if none
   char const* meaning;  ///< one line
   ParameterRange range;
 
-  /// This parameter with a narrower range, from `from` to `to`. Does not compile for a wider range.
+  /// Returns this parameter with a narrower range, from `from` to `to`. A call with a wider range does not compile.
   SCREE_CONSTEVAL ParameterAbout within(double from, double to) const { return within({from, to}); }
   SCREE_CONSTEVAL ParameterAbout within(ParameterRange narrower) const {
     if (!range.includes(narrower) || narrower.from > narrower.to)
@@ -103,15 +106,15 @@ struct ParameterAbout {
 };
 
 namespace detail {
-/// Vec<Dim, double>.
+/// The type Vec<Dim, double>.
 template <int Dim>
 using VectorParameter = Eigen::Matrix<double, Dim, 1, 2, Dim, 1>;
 template <class Model, class T>
-using Member = T Model::*;  // with this name nvcc adds no parentheses, of which g++ would warn
+using Member = T Model::*;  // without this alias, nvcc adds parentheses about which g++ warns
 }  // namespace detail
 
-/// A parameter of a model and its place there: one of `number`, `count` and, for a vector of two or three components,
-/// `in_plane` or `in_space`. The range of a vector applies to each of its components.
+/// A parameter of a model, with a pointer to its member: `number` or `count` or, for a vector of two or three
+/// components, `in_plane` or `in_space`. The range of a vector applies to each of its components.
 template <class Model>
 struct Parameter : ParameterAbout {
   detail::Member<Model, double> number = nullptr;
@@ -119,21 +122,21 @@ struct Parameter : ParameterAbout {
   detail::Member<Model, detail::VectorParameter<2>> in_plane = nullptr;
   detail::Member<Model, detail::VectorParameter<3>> in_space = nullptr;
 
-  /// The number of components of the value: 1 for a number, 2 or 3 for a vector.
+  /// Returns the number of components of the parameter: 1 for a number, 2 or 3 for a vector.
   constexpr int components() const { return in_space != nullptr ? 3 : in_plane != nullptr ? 2 : 1; }
-  /// The value of a number.
-  // Not inline: g++ 12 would warn of the member that is not there.
+  /// Returns the value of a parameter that is a number.
+  // Not inline, because g++ 12 would warn about a null pointer to a member.
   [[gnu::noinline]] constexpr double of(Model const& model) const {
     return number ? model.*number : double(model.*count);
   }
-  /// A component of a vector, or the number.
+  /// Returns a component of a vector, or the value of a number.
   double of(Model const& model, int component) const {
     if (in_plane != nullptr) return (model.*in_plane)[component];
     return in_space != nullptr ? (model.*in_space)[component] : of(model);
   }
 };
 
-/// A parameter of the class that has the member, for its list `parameters()`.
+/// Returns a parameter for the list `parameters()` of the class that has the member.
 template <class Model>
 constexpr Parameter<Model> parameter(char const* name, double Model::*member, char const* unit, char const* meaning,
                                      ParameterRange const& range) {
@@ -161,7 +164,8 @@ concept HasParameters = requires {
   T::parameters().size();
 };
 
-/// Whether a parameter of the model is a vector. Otherwise the header of vectors need not be there.
+/// Whether a parameter of the model is a vector. If no parameter is a vector, the header of vectors need not be
+/// included.
 template <class Model>
 constexpr bool has_vectors() {
   for (auto const& each : Model::parameters())
@@ -210,7 +214,7 @@ constexpr ParameterAbout described() {
 }
 }  // namespace detail
 
-/// The declaration of a parameter by its member: parameter_of<&MuOfI<>::mu_s>.
+/// The declaration of a parameter, found by its member, as in parameter_of<&MuOfI<>::mu_s>.
 template <auto Member>
 inline constexpr ParameterAbout parameter_of = detail::described<Member>();
 

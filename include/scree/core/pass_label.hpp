@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// The name of a pass in profilers and messages, without memory from the heap: the passes of a step are made and fused
-/// again in each step. Text beyond `longest` characters is cut.
+/// The name of a pass in profilers and messages. A label uses no heap memory, because the passes of a step are
+/// constructed and fused again in every step. Text beyond `longest` characters is cut off.
 class PassLabel {
  public:
   static constexpr std::size_t longest = 111;
@@ -24,10 +24,10 @@ class PassLabel {
   /// A label with this text.
   constexpr PassLabel(std::string_view text) { add(text); }
 
-  /// The text, as far as it was not cut.
+  /// Returns the text, without any part that was cut off.
   constexpr std::string_view text() const { return {text_.data(), size_}; }
   constexpr operator std::string_view() const { return text(); }
-  /// This label with further text.
+  /// Returns this label with further text appended.
   constexpr PassLabel operator+(std::string_view more) const {
     PassLabel longer = *this;
     longer.add(more);

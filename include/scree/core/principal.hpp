@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// Principal values of a symmetric 3 x 3 tensor, unsorted, and their directions as columns of a rotation.
+/// The unsorted principal values of a symmetric 3 x 3 tensor, and their directions as the columns of a rotation matrix.
 template <class Real>
 struct Principal {
   Vec<3, Real> values;
@@ -14,7 +14,7 @@ struct Principal {
 };
 
 namespace detail {
-// One Jacobi rotation, which makes A(p, q) zero.
+// Applies one Jacobi rotation, which makes A(p, q) zero.
 template <class Real>
 SCREE_FN void rotate_away(Mat<3, Real>& A, Mat<3, Real>& axes, int p, int q) {
   if (A(p, q) == 0) return;
@@ -36,8 +36,9 @@ SCREE_FN void rotate_away(Mat<3, Real>& A, Mat<3, Real>& axes, int p, int q) {
 }
 }  // namespace detail
 
-/// By Jacobi's method, which stays accurate where values coincide. Convergence is quadratic: five sweeps reach double
-/// precision; one is enough for a tensor that does not couple the plane of the first two axes to the third.
+/// Returns the principal values and directions of a tensor, found by Jacobi's method, which stays accurate if values
+/// coincide. Convergence is quadratic: five sweeps reach double precision, and one sweep is enough for a tensor that
+/// does not couple the plane of the first two axes to the third axis.
 template <class Real>
 SCREE_FN Principal<Real> principal(Mat<3, Real> A) {
   auto axes = identity_matrix<Mat<3, Real>>();
@@ -49,7 +50,7 @@ SCREE_FN Principal<Real> principal(Mat<3, Real> A) {
   return {Vec<3, Real>(A(0, 0), A(1, 1), A(2, 2)), axes};
 }
 
-/// The part of a symmetric tensor with positive principal values: tension, for a stress.
+/// Returns the part of a symmetric tensor with positive principal values; for a stress, this part is the tension.
 template <class Real>
 SCREE_FN Mat<3, Real> positive_part(Mat<3, Real> const& A) {
   Principal<Real> const p = principal(A);

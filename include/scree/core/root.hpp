@@ -4,34 +4,36 @@
 
 #include "types.hpp"
 
-// Square roots, divisions, extremes and selections in pair loops. In single precision a GPU has one instruction for the
-// inverse square root, accurate to two units in the last place, and needs about a dozen for a correctly rounded root or
-// division. The sums over pairs are accurate to a few units in either case.
+// Square roots, divisions, minima, maxima and selections for pair loops. In single precision, a GPU has one instruction
+// for the inverse square root, accurate to two units in the last place, but needs about a dozen instructions for a
+// correctly rounded square root or division. Sums over pairs are accurate to a few units in the last place in either
+// case.
 //
-// A function that calls them starts with `using namespace math;`: a call with a qualified name does not find those of
-// packs (pack.hpp).
+// Code that calls these functions must first declare `using namespace math;`, because a qualified call does not find
+// the overloads for packs (pack.hpp).
 namespace scree {
 namespace math {
 
-/// Square root of x >= 0. NaN stays NaN, so that an invalid position shows in the sums.
+/// Returns the square root of x >= 0. NaN stays NaN, so that an invalid position shows up in the sums.
 SCREE_LOOP_FN double root(double x) { return Kokkos::sqrt(x); }
 SCREE_LOOP_FN float root(float x) {
   KOKKOS_IF_ON_DEVICE((return x == 0 ? 0 : x * Kokkos::rsqrt(x);))
   KOKKOS_IF_ON_HOST((return Kokkos::sqrt(x);))
 }
 
-/// x where the condition holds, y otherwise: for code without branches, see pack.hpp. Both are evaluated.
+/// Returns x if the condition holds, and y otherwise, for code without branches (see pack.hpp). Both x and y are
+/// evaluated.
 SCREE_LOOP_FN double select(bool condition, double x, double y) { return condition ? x : y; }
 SCREE_LOOP_FN float select(bool condition, float x, float y) { return condition ? x : y; }
 
-/// The smaller of two numbers; y if one is not a number.
+/// Returns the smaller of two numbers, or y if either is NaN.
 SCREE_LOOP_FN double min(double x, double y) { return x < y ? x : y; }
 SCREE_LOOP_FN float min(float x, float y) { return x < y ? x : y; }
-/// The larger of two numbers; y if one is not a number.
+/// Returns the larger of two numbers, or y if either is NaN.
 SCREE_LOOP_FN double max(double x, double y) { return x > y ? x : y; }
 SCREE_LOOP_FN float max(float x, float y) { return x > y ? x : y; }
 
-/// The smaller of two numbers, by one instruction on a GPU; y if x is not a number.
+/// Returns the smaller of two numbers, with one instruction on a GPU, or y if x is NaN.
 SCREE_LOOP_FN double smaller(double x, double y) {
   KOKKOS_IF_ON_DEVICE((return Kokkos::fmin(x, y);))
   KOKKOS_IF_ON_HOST((return x < y ? x : y;))
@@ -41,22 +43,23 @@ SCREE_LOOP_FN float smaller(float x, float y) {
   KOKKOS_IF_ON_HOST((return x < y ? x : y;))
 }
 
-/// |x|.
+/// Returns |x|.
 SCREE_LOOP_FN double magnitude(double x) { return Kokkos::abs(x); }
 SCREE_LOOP_FN float magnitude(float x) { return Kokkos::abs(x); }
 
-/// Whether x > 0, of a pack in any lane: for a branch around what adds nothing where x is 0.
+/// Whether x > 0 or, for a pack, whether any lane is positive. Callers use the result to skip code that adds nothing if
+/// x is 0.
 SCREE_LOOP_FN bool any_positive(double x) { return x > 0; }
 SCREE_LOOP_FN bool any_positive(float x) { return x > 0; }
 
-/// x/y, y > 0.
+/// Returns x/y for y > 0.
 SCREE_LOOP_FN double quotient(double x, double y) { return x / y; }
 SCREE_LOOP_FN float quotient(float x, float y) {
   KOKKOS_IF_ON_DEVICE((float const inverse_root = Kokkos::rsqrt(y); return x * inverse_root * inverse_root;))
   KOKKOS_IF_ON_HOST((return x / y;))
 }
 
-/// x/y for numbers of either sign; 0 if y is infinite.
+/// Returns x/y for numbers of either sign, and 0 if y is infinite.
 SCREE_LOOP_FN double ratio(double x, double y) { return x / y; }
 SCREE_LOOP_FN float ratio(float x, float y) {
 #ifdef __CUDA_ARCH__
@@ -70,8 +73,8 @@ SCREE_LOOP_FN float ratio(float x, float y) {
 
 }  // namespace math
 
-/// Whether a division costs more than a branch that avoids it: true in double precision on a GPU, false in single
-/// precision; packs cannot branch.
+/// Whether a division costs more than a branch that avoids it, as in double precision on a GPU. The value is true only
+/// for double: in single precision the division is fast, and packs cannot branch.
 template <class Real>
 inline constexpr bool quotient_is_slow = std::is_same_v<Real, double>;
 

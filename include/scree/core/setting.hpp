@@ -13,27 +13,28 @@
 namespace scree {
 namespace detail {
 
-/// A string formatted by the rules of printf. It compiles faster than a sum of strings.
+/// Returns a string formatted according to the rules of printf. Calls compile faster than concatenations of strings.
 [[gnu::format(printf, 1, 2)]] std::string formatted(char const* format, ...);
 
 std::string short_text(double value);
 
 }  // namespace detail
 
-/// Throws std::invalid_argument for a bad setting: "scree: cfl must be above 0 and at most 1, not 100". Callers write
-/// `good` with comparisons that are false for a NaN.
+/// Throws std::invalid_argument if `good` is false, with a message such as "scree: cfl must be above 0 and at most 1,
+/// not 100". Callers compute `good` with comparisons that are false for a NaN.
 void check_setting(bool good, char const* name, double value, char const* allowed);
 namespace detail {
 
-/// "above 0 and at most 1", "0 or more".
+/// Returns a range in words, such as "above 0 and at most 1" or "0 or more".
 std::string in_words(ParameterRange const& range);
 
 void check_parameter(ParameterAbout const& about, double value, char const* owner);
 
 }  // namespace detail
 
-/// Throws std::invalid_argument for a parameter of the model that is out of its range: "scree: per_strain (-) of
-/// VolumeConsistency must be 0 or more, not -1". `owner` follows the name where the name alone is not clear.
+/// Throws std::invalid_argument if a parameter of a model is out of its range, with a message such as "scree:
+/// per_strain (-) of VolumeConsistency must be 0 or more, not -1". `owner` follows the name of the parameter if the
+/// name alone is not clear.
 template <class Model>
 void check_parameters(Model const& model, char const* owner = "") {
   static constexpr auto list = Model::parameters();
@@ -45,7 +46,7 @@ void check_parameters(Model const& model, char const* owner = "") {
   }
 }
 
-/// Checks a component by its check(), or by its parameters() if it has no check(). Throws std::invalid_argument if a
+/// Checks a component with its check() or, if there is none, by its parameters(). Throws std::invalid_argument if a
 /// setting is out of range.
 template <class T>
 void check_settings_of(T const& part) {

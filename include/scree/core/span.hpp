@@ -8,21 +8,21 @@
 
 namespace scree {
 
-/// Contiguous values in memory, passed to kernels by value. It owns nothing: the caller that launches the kernel keeps
-/// the memory alive. An index out of bounds stops the program where Kokkos checks bounds.
+/// A view of contiguous values in memory, passed to kernels by value. It owns nothing; the caller that launches the
+/// kernel keeps the memory alive. An index out of bounds aborts the program if Kokkos checks bounds.
 template <class T>
 class Span {
  public:
   Span() = default;
-  /// Elements from `first` on.
+  /// Refers to `size` elements from `first` on.
   SCREE_FN Span(T* first, int size) : first_(first), size_(size) {}
-  /// Takes a span of elements that may be changed, for reading.
+  /// Converts a span of writable elements to a read-only span.
   template <class U>
   requires std::is_same_v<U const, T> SCREE_FN Span(Span<U> const& other) : Span(other.data(), other.size()) {}
 
-  /// The number of elements.
+  /// Returns the number of elements.
   SCREE_FN int size() const { return size_; }
-  /// The first element.
+  /// Returns the address of the first element.
   SCREE_FN T* data() const { return first_; }
   SCREE_LOOP_FN T& operator()(int i) const {
 #ifdef KOKKOS_ENABLE_DEBUG_BOUNDS_CHECK

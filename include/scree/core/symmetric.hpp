@@ -4,12 +4,12 @@
 
 #include "types.hpp"
 
-// Symmetric tensors of second order as vectors of their independent entries, with off-diagonal entries times sqrt(2)
-// (Mandel's notation). The double contraction of two tensors is then the dot product of their vectors, and symmetric
-// operators on them are symmetric matrices.
+// Symmetric tensors of second order, stored as vectors of their independent entries with off-diagonal entries
+// multiplied by sqrt(2) (Mandel notation). The double contraction of two tensors is then the dot product of their
+// vectors, and symmetric operators on tensors are symmetric matrices.
 namespace scree {
 
-/// x (x) x.
+/// Returns $x \otimes x$ in Mandel notation.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> square_of(Vec<Dim, Real> const& x) {
   Real const root_2 = Real(1.41421356237309505);
@@ -22,7 +22,7 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> square_of(Vec<Dim, Real> const& x) {
   return result;
 }
 
-/// (L + L^T)/2.
+/// Returns (L + L^T)/2 in Mandel notation.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_part(Mat<Dim, Real> const& L) {
   Real const root_half = Real(0.707106781186547524);
@@ -35,7 +35,7 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_part(Mat<Dim, Real> const& L) 
   return result;
 }
 
-/// The identity.
+/// Returns the identity tensor in Mandel notation.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
   auto result = zero<Vec<symmetric_size<Dim>, Real>>();
@@ -43,16 +43,16 @@ SCREE_FN Vec<symmetric_size<Dim>, Real> symmetric_identity() {
   return result;
 }
 
-/// Solves A x = b for a symmetric positive definite A (only its lower triangle is read) by an LDL^T decomposition; b
-/// and x are vectors or matrices of column vectors. Returns false, and leaves x unchanged, if a pivot falls below
-/// `tolerance` times the largest diagonal entry of A.
+/// Solves A x = b for a symmetric positive definite matrix A by an LDL^T decomposition that reads only the lower
+/// triangle of A; b and x are vectors or matrices of column vectors. Returns false, and leaves x unchanged, if a pivot
+/// does not exceed `tolerance` times the largest diagonal entry of A.
 template <int N, class Real, int Columns>
 SCREE_FN bool solve_positive_definite(Mat<N, Real> A, Small<Real, N, Columns> b, Real tolerance,
                                       Small<Real, N, Columns>& x) {
   Real largest = A(0, 0);
   for (int k = 1; k < N; ++k) largest = Kokkos::max(largest, A(k, k));
   Real const least = tolerance * largest;
-  Real inverse[N];  // of the pivots
+  Real inverse[N];  // reciprocals of the pivots
   for (int k = 0; k < N; ++k) {
     if (!(A(k, k) > least)) return false;
     inverse[k] = 1 / A(k, k);

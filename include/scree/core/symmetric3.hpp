@@ -4,15 +4,16 @@
 
 #include "types.hpp"
 
-// Symmetric 3 x 3 tensors that do not couple a 2D plane to its normal, as the vector of their entries: in 2D 11, 22,
-// 33, 12, where 3 is the direction out of the plane (plane strain); in 3D 11, 22, 33, 12, 13, 23.
+// Symmetric 3 x 3 tensors, stored as vectors of their entries. In 2D, the entries are 11, 22, 33 and 12, where 3 is the
+// direction out of the plane (plane strain); entries 13 and 23 are zero. In 3D, the entries are 11, 22, 33, 12, 13 and
+// 23.
 namespace scree {
 
-/// The number of stored entries of a symmetric 3 x 3 tensor: 4 in plane strain, 6 in space.
+/// The number of stored entries of a symmetric 3 x 3 tensor: 4 in plane strain, 6 in 3D.
 template <int Dim>
 inline constexpr int symmetric3_size = Dim == 2 ? 4 : 6;
 
-/// The full tensor.
+/// Returns the full 3 x 3 tensor with the given entries.
 template <class Packed>
 SCREE_FN Mat<3, typename Packed::Scalar> unpacked(Packed const& s) {
   auto full = zero<Mat<3, typename Packed::Scalar>>();
@@ -25,7 +26,7 @@ SCREE_FN Mat<3, typename Packed::Scalar> unpacked(Packed const& s) {
   return full;
 }
 
-/// The entries of a symmetric tensor; only its upper triangle is read.
+/// Returns the stored entries of a symmetric 3 x 3 tensor, reading only its upper triangle.
 template <int Dim, class Real>
 SCREE_FN Vec<symmetric3_size<Dim>, Real> packed(Mat<3, Real> const& full) {
   Vec<symmetric3_size<Dim>, Real> s;
@@ -38,7 +39,7 @@ SCREE_FN Vec<symmetric3_size<Dim>, Real> packed(Mat<3, Real> const& full) {
   return s;
 }
 
-/// The tensor times a vector of the space.
+/// Returns the product of a symmetric 3 x 3 tensor and a vector with two or three components.
 template <class Packed, class X>
 SCREE_FN X product(Packed const& s, X const& x) {
   X y;
@@ -53,7 +54,7 @@ SCREE_FN X product(Packed const& s, X const& x) {
   return y;
 }
 
-/// A velocity gradient as a 3 x 3 tensor: in 2D nothing changes out of the plane.
+/// Returns a velocity gradient as a 3 x 3 tensor, which in 2D is zero out of the plane.
 template <int Dim, class Real>
 SCREE_FN Mat<3, Real> in_three_dimensions(Mat<Dim, Real> const& L) {
   auto full = zero<Mat<3, Real>>();

@@ -7,9 +7,10 @@
 #include <type_traits>
 #include <utility>
 
-// Lists of values of several types, such as the terms of a pass and the passes of a step. The library itself keeps them
-// as a Tuple: with std::tuple a formulation takes the compiler a tenth longer, for conversions, assignments and
-// comparisons that no pass needs (docs/performance.md). Models and users make a std::tuple; the functions take both.
+// Lists of values of several types, such as the terms of a pass and the passes of a step. The library itself stores
+// such a list as a Tuple. With std::tuple, a formulation takes a tenth longer to compile, because of conversions,
+// assignments and comparisons that no pass needs (docs/performance.md). Models and users make a std::tuple; functions
+// of the library accept both types.
 namespace scree::detail {
 
 /// One value of a Tuple.
@@ -22,7 +23,7 @@ struct TupleValues;
 template <std::size_t... K, class... Ts>
 struct TupleValues<std::index_sequence<K...>, Ts...> : TupleValue<K, Ts>... {};
 
-/// Values of given types, in order.
+/// A list of values of given types, in order.
 template <class... Ts>
 struct Tuple : TupleValues<std::index_sequence_for<Ts...>, Ts...> {
   constexpr Tuple() requires(std::is_default_constructible_v<Ts>&&...)
@@ -41,10 +42,10 @@ template <class... Ts>
 struct tuple_type<std::tuple<Ts...>> {
   using type = Tuple<Ts...>;
 };
-/// The Tuple with the types of a Tuple or std::tuple.
+/// The Tuple type with the value types of a Tuple or std::tuple.
 template <class T>
 using tuple_of = typename tuple_type<std::remove_cvref_t<T>>::type;
-/// A Tuple or a std::tuple.
+/// Whether a type is a Tuple or a std::tuple.
 template <class T>
 concept AnyTuple = requires {
   typename tuple_of<T>;
@@ -52,11 +53,11 @@ concept AnyTuple = requires {
 
 template <AnyTuple T>
 inline constexpr std::size_t tuple_size = std::tuple_size_v<std::remove_cvref_t<T>>;
-/// The type of a value, by its number.
+/// The type of the K-th value of a tuple, counted from 0.
 template <std::size_t K, AnyTuple T>
 using type_at = std::tuple_element_t<K, std::remove_cvref_t<T>>;
 
-/// A value of a tuple, by its number.
+/// Returns the K-th value of a tuple, counted from 0.
 template <std::size_t K, class T>
 constexpr T const& value_at(TupleValue<K, T> const& of) {
   return of.value;
@@ -75,7 +76,7 @@ constexpr decltype(auto) with_values_of(Function const& function,
                                         TupleValues<std::index_sequence<K...>, Ts...> const& of) {
   return function(static_cast<TupleValue<K, Ts> const&>(of).value...);
 }
-/// Calls a function with all values of a tuple.
+/// Calls a function with all values of a tuple as arguments, and returns its result.
 template <class Function, class... Ts>
 constexpr decltype(auto) with_values(Function const& function, Tuple<Ts...> const& of) {
   return with_values_of(function, of);
@@ -86,7 +87,7 @@ constexpr decltype(auto) with_values(Function const& function, std::tuple<Ts...>
   (std::index_sequence_for<Ts...>());
 }
 
-/// The values of a std::tuple, as a Tuple.
+/// Returns the values of a Tuple or std::tuple as a Tuple.
 template <class... Ts>
 constexpr Tuple<Ts...> const& as_tuple(Tuple<Ts...> const& of) {
   return of;
@@ -95,7 +96,7 @@ template <class... Ts>
 constexpr Tuple<Ts...> as_tuple(std::tuple<Ts...> const& of) {
   return with_values([](Ts const&... values) { return Tuple<Ts...>(values...); }, of);
 }
-/// The values of a Tuple, as a std::tuple.
+/// Returns the values of a Tuple as a std::tuple.
 template <class... Ts>
 constexpr std::tuple<Ts...> as_std_tuple(Tuple<Ts...> const& of) {
   return with_values([](Ts const&... values) { return std::tuple<Ts...>(values...); }, of);
@@ -111,7 +112,7 @@ struct row_of_types<Tuple<As...>> {
 };
 template <class... As, class... Bs, class... Others>
 struct row_of_types<Tuple<As...>, Tuple<Bs...>, Others...> : row_of_types<Tuple<As..., Bs...>, Others...> {};
-/// The type of the values of all tuples, in order.
+/// The type of a Tuple with the values of several tuples, in order.
 template <AnyTuple... Tuples>
 using row_type = typename row_of_types<tuple_of<Tuples>...>::type;
 
@@ -133,7 +134,7 @@ template <AnyTuple A>
 constexpr tuple_of<A> in_a_row(A const& a) {
   return as_tuple(a);
 }
-/// The values of all tuples, in order.
+/// Returns a Tuple with the values of several tuples, in order.
 template <AnyTuple A, AnyTuple B, AnyTuple... Others>
 constexpr row_type<A, B, Others...> in_a_row(A const& a, B const& b, Others const&... others) {
   return in_a_row(two_in_a_row(as_tuple(a), as_tuple(b)), others...);

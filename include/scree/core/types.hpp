@@ -15,14 +15,14 @@ using Vec = Small<Real, Dim, 1>;
 template <int Dim, class Real>
 using Mat = Small<Real, Dim, Dim>;
 
-/// x^2.
+/// Returns x^2.
 template <class T>
 SCREE_FN constexpr T sq(T x) {
   return x * x;
 }
 
 namespace math {
-/// x^N by repeated multiplication.
+/// Returns x^N, computed by repeated multiplication.
 template <int N, class T>
 SCREE_FN constexpr T power(T x) {
   if constexpr (N == 0) return T(1);
@@ -32,7 +32,7 @@ SCREE_FN constexpr T power(T x) {
 }  // namespace math
 
 namespace detail {
-/// The type of the numbers in a value: `Scalar` of a vector or matrix, and the type itself of a number.
+/// The type of the numbers in a value: `Scalar` for a vector or matrix, and the type itself for a number.
 template <class T>
 struct number_of {
   using type = T;
@@ -44,7 +44,7 @@ struct number_of<T> {
 };
 }  // namespace detail
 
-/// Number of independent entries of a symmetric tensor of second order.
+/// The number of independent entries of a symmetric tensor of second order.
 template <int Dim>
 inline constexpr int symmetric_size = Dim*(Dim + 1) / 2;
 

@@ -10,7 +10,7 @@
 namespace scree {
 namespace detail {
 
-/// Values of particles in the order in which they are stored, see WholeCase::order_of().
+/// The order in which values of particles are stored; see WholeCase::order_of().
 struct AsStored {
   template <class T>
   std::vector<T> of(std::vector<T> values, std::size_t /*of_each*/ = 1) const {
@@ -20,65 +20,65 @@ struct AsStored {
 
 }  // namespace detail
 
-/// What is true of a whole case, from what is found here, where all its particles are. Agreement
-/// (distributed/agreement.hpp) has the same functions for a case that is divided. Models, probes and measures use
-/// WholeBody (fields/whole_body.hpp) for sums and largest values over all particles.
+/// The collective operations of a case whose particles are all on one rank. Agreement (distributed/agreement.hpp) has
+/// the same functions for a case that is divided among ranks. Models, probes and measures use WholeBody
+/// (fields/whole_body.hpp) for sums and maxima over all particles.
 struct WholeCase {
-  /// Whether all particles of the case are here.
+  /// Whether this rank has all particles of the case.
   bool all_here() const { return true; }
-  /// Throws std::logic_error unless all particles are here, for what is found once from all of them.
+  /// Throws std::logic_error unless this rank has all particles, for callers that find a result once from all of them.
   void require_all_here() const {}
-  /// Whether others compute a part of the case, or will.
+  /// Whether other ranks compute a part of the case, or will do so later.
   bool is_shared() const { return false; }
-  /// Whether a condition holds anywhere.
+  /// Whether a condition holds on at least one rank.
   bool anywhere(bool here) const { return here; }
-  /// The largest of a number.
+  /// Returns the maximum of a number over all ranks.
   double largest(double here) const { return here; }
   /// Extends the frames of grids (neighbours/grid.hpp) to contain all particles.
   template <class Frames>
   void join(Frames&) const {}
-  /// The result of survey() of all particles, and their number. The index of the particle with a largest value is
-  /// detail::no_particle unless it is here.
+  /// Returns the result of survey() for all particles, and their number. The index of the particle with a largest value
+  /// is detail::no_particle unless this rank owns the particle.
   template <class Found>
   std::pair<Found, long> joined(Found const& here, long particles) const {
     return {here, particles};
   }
-  /// A list of all entries.
+  /// Returns a list of the entries from all ranks.
   template <class T>
   std::vector<T> of_all(std::vector<T> values) const {
     return values;
   }
-  /// The sum of a number of particles.
+  /// Returns the sum of a number of particles over the whole case.
   long sum(long here) const { return here; }
-  /// Sums of integers, element by element.
+  /// Returns element-wise sums of integers over the whole case.
   std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return here; }
-  /// Sums of ExactSum, element by element, as numbers.
+  /// Returns element-wise sums of ExactSum objects over the whole case, converted to doubles.
   template <class Exact>
   std::vector<double> sum(std::vector<Exact> const& here) const {
     std::vector<double> values;
     for (Exact const& each : here) values.push_back(each.value());
     return values;
   }
-  /// The number of all particles of a body.
+  /// Returns the number of all particles of a body.
   template <class Body>
   long count(Body const& body) const {
     return body.size();
   }
-  /// Brings values of the particles of a body, or of some of them by number, into one order: `order.of(values,
-  /// of_each)`.
+  /// Returns an order for the values of all particles of a body, or of the particles with given numbers. Its function
+  /// `of(values, of_each)` brings values into this order.
   template <class Body, class... Numbers>
   detail::AsStored order_of(Body const&, Numbers const&...) const {
     return {};
   }
-  /// Replaces the values of the particles here in a snapshot of a system by those of all particles.
+  /// Replaces the values of this rank's particles in a snapshot of a system by the values of all particles.
   template <class Snapshot, class Sys>
   void collect(Snapshot&, Sys const&) const {}
-  /// Whether warnings of the case are given here.
+  /// Whether this rank gives the warnings of the case.
   bool reports() const { return true; }
-  /// Whether particles that are added to the case are added here.
+  /// Whether this rank takes particles that are added to the case.
   bool takes_new() const { return true; }
 };
-/// A case whose particles are all here.
+/// The collective operations of every case whose particles are all on one rank.
 inline constexpr WholeCase whole_case_here{};
 
 }  // namespace scree

@@ -6,9 +6,9 @@
 
 namespace scree::detail {
 
-/// A value of whole words of 16 or 8 bytes, aligned to them and read with one instruction per word. A GPU thread reads
-/// 16 bytes as fast as 4; without this, compilers read only the numbers that are used, in more instructions. No loop
-/// may write the value it reads in this way.
+/// Returns a value that consists of whole, aligned words of 16 or 8 bytes. With CUDA, each word is read with one
+/// instruction. A GPU thread reads 16 bytes as fast as 4; otherwise, compilers would read only the numbers that are
+/// used, with more instructions. A loop must not write a value that it reads with this function.
 template <class T>
 SCREE_LOOP_FN T read_words(T const* from) {
 #ifdef __CUDA_ARCH__

@@ -10,7 +10,7 @@ inline bool& this_thread_writes_files() {
   return writes;
 }
 
-/// While it lives, this thread writes files, or leaves them to another.
+/// A guard that determines whether the current thread writes files during the guard's lifetime.
 class LetWriteFiles {
  public:
   explicit LetWriteFiles(bool writes) : before_(this_thread_writes_files()) { this_thread_writes_files() = writes; }
@@ -24,9 +24,9 @@ class LetWriteFiles {
 
 }  // namespace detail
 
-/// Whether this thread writes the files of its case and prints: true without ranks, and on the first rank
-/// (run_on_threads() and run_on_mpi() set it). Series, tables, checkpoints and Progress made on other ranks write
-/// nothing, so that all ranks can run the same code.
+/// Whether this thread writes the files of its case and prints: true without ranks and on the first rank.
+/// run_on_threads() and run_on_mpi() set the value. Series, tables, checkpoints and Progress objects made on other
+/// ranks write nothing, so that all ranks can run the same code.
 inline bool writes_files() { return detail::this_thread_writes_files(); }
 
 }  // namespace scree

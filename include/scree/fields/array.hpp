@@ -13,15 +13,15 @@
 #include <type_traits>
 #include <vector>
 
-// Arrays of values, and their transfer to the host and back.
+// Arrays of values, and their transfer to and from the host.
 namespace scree {
 namespace detail {
 
 template <class T>
 inline constexpr std::size_t word_size = std::min(std::bit_ceil(sizeof(T)), std::size_t(16));
 
-/// A small matrix in machine words of up to 16 bytes, the last one padded: threads that read a vector number by number
-/// request the same cache lines several times.
+/// A small matrix stored in machine words of up to 16 bytes, with padding in the last word. Threads that read a vector
+/// number by number would request the same cache lines several times.
 template <class T>
 class alignas(word_size<T>) InWords : public T {
   using Number = typename T::Scalar;
@@ -46,7 +46,7 @@ class alignas(word_size<T>) InWords : public T {
   }
 };
 
-/// Whether a GPU stores values of a type as machine words (InWords). In double precision padding costs more than it
+/// Whether a GPU stores values of a type as machine words (InWords). In double precision, padding costs more than it
 /// saves.
 template <class T>
 inline constexpr bool better_in_words = false;
@@ -63,28 +63,29 @@ struct Element<P, T const> {
   using type = typename Element<P, T>::type const;
 };
 
-/// Elements in the memory of an execution space, and the instance that works on them; copies share the memory.
+/// An array of elements in the memory of an execution space, with the instance on which loops over the elements run.
+/// Copies share the memory.
 template <class T, class Space>
 class ArrayIn {
  public:
   using Bytes = Memory<typename Space::memory_space>;
 
   ArrayIn() = default;
-  /// New elements, all zero; the label is for profilers.
+  /// Allocates elements and sets them to zero; the label is for profilers.
   ArrayIn(Space const& space, std::string_view label, std::size_t size)
       : ArrayIn(space, Bytes(label, std::size_t(checked_count(size)) * sizeof(T)), static_cast<int>(size)) {
     fill_with_zeros();
   }
-  /// The elements at the beginning of a memory block.
+  /// Makes an array of the first `size` elements in a memory block.
   ArrayIn(Space const& space, Bytes const& memory, int size)
       : ArrayIn(space, memory, Span<T>(reinterpret_cast<T*>(memory.data()), size)) {}
 
-  /// A read-only view of a writable array.
+  /// Makes a read-only view of a writable array.
   template <class U>
   requires std::is_same_v<U const, T> ArrayIn(ArrayIn<U, Space> const& other)
       : ArrayIn(other.space(), other.memory(), other.span()) {}
 
-  /// Loops over the elements run on this instance.
+  /// Returns the instance on which loops over the elements run.
   Space const& space() const { return space_; }
   int size() const { return span_.size(); }
   T* data() const { return span_.data(); }
@@ -92,7 +93,7 @@ class ArrayIn {
   Span<T> const& span() const { return span_; }
   operator Span<T>() const { return span_; }
   operator Span<T const>() const requires(!std::is_const_v<T>) { return span_; }
-  /// Elements [first, last).
+  /// Returns the elements [first, last) as an array that shares the memory.
   ArrayIn part(int first, int last) const { return {space_, memory_, Span<T>(data() + first, last - first)}; }
   /// Sets all elements to zero.
   void fill_with_zeros() const { memory_.fill_with_zeros(space_); }
@@ -107,14 +108,14 @@ class ArrayIn {
 
 }  // namespace detail
 
-/// An array in the memory of the space of a policy, which copies share, and its span for kernels.
+/// An array in the memory space of a policy. Copies of the array share its elements.
 template <class P, class T>
 using Array = detail::ArrayIn<typename detail::Element<P, T>::type, typename P::space>;
 /// The span of an Array for kernels.
 template <class P, class T>
 using ArraySpan = Span<typename detail::Element<P, T>::type>;
 
-/// The value of an element of an array.
+/// Returns the value of an element of an array.
 template <class T>
 SCREE_LOOP_FN T const& value_of(T const& element) {
   return element;
@@ -124,7 +125,7 @@ SCREE_LOOP_FN T value_of(detail::InWords<T> const& element) {
   return element.read();
 }
 
-/// A copy of an array on the host.
+/// Returns a copy of an array on the host.
 template <class T, class Space>
 auto values_of(detail::ArrayIn<T, Space> const& array) {
   using Element = std::remove_const_t<T>;
@@ -149,7 +150,8 @@ void copy_into(detail::ArrayIn<T, Space> const& array, std::vector<Value> const&
   else
     copy(std::vector<T>(values.begin(), values.end()));
 }
-/// Copies an array into another of the same size and instance.
+/// Copies an array to the beginning of another array that is at least as large. Throws std::invalid_argument if the
+/// arrays belong to different instances.
 template <class T, class U, class Space>
 void copy_array(detail::ArrayIn<T, Space> const& to, detail::ArrayIn<U, Space> const& from) {
   static_assert(std::is_same_v<T const, U const>);
@@ -158,29 +160,29 @@ void copy_array(detail::ArrayIn<T, Space> const& to, detail::ArrayIn<U, Space> c
   using Memory = typename Space::memory_space;
   copy_bytes<Memory, Memory>(to.space(), to.data(), from.data(), static_cast<std::size_t>(from.size()) * sizeof(T));
 }
-/// A larger array with the same values at its beginning.
+/// Replaces an array by a larger one with the same values at its beginning and zeros after them.
 template <class T, class Space>
 void enlarge(Space const& space, detail::ArrayIn<T, Space>& array, std::string_view label, int size) {
   detail::ArrayIn<T, Space> const larger(space, label, static_cast<std::size_t>(size));
   copy_array(larger, array);
   array = larger;
 }
-/// Makes an array at least this large; if it has to grow, its contents are lost.
+/// Reallocates an array if it has fewer than `size` elements; its contents are then lost.
 template <class T, class Space>
 void reserve(Space const& space, detail::ArrayIn<T, Space>& array, std::string_view label, std::size_t size) {
   if (static_cast<std::size_t>(array.size()) >= size) return;
-  array = {};  // frees its memory for the new one
+  array = {};  // frees the old memory before the new is allocated
   int const count = checked_count(size);
   array = {space, typename detail::ArrayIn<T, Space>::Bytes(label, size * sizeof(T)), count};
 }
-/// An array with the given values, in the memory of `space`.
+/// Returns an array with the given values, in the memory of `space`.
 template <class P, class T>
 Array<P, T> array_of(typename P::space const& space, std::vector<T> const& values) {
   Array<P, T> const array(space, "scree::values", values.size());
   copy_into(array, values);
   return array;
 }
-/// An array with the given values, in the memory of the default instance of the execution space.
+/// Returns an array with the given values, in the memory of the default instance of the execution space.
 template <class P, class T>
 Array<P, T> array_of(std::vector<T> const& values) {
   return array_of<P>(typename P::space(), values);

@@ -8,44 +8,45 @@
 #include <string_view>
 #include <type_traits>
 
-// The bodies of a simulation. A body is a class with a name, whose base class says how its particles move:
+// The bodies of a simulation. A body is a class with a name and a base class that determines how its particles move:
 //   struct Blade : WallBody { static constexpr std::string_view name = "blade"; };
 namespace scree {
 
-/// Base of a body whose fields the physics model advances.
+/// The base class of a body whose fields the physics model advances.
 struct MaterialBody {};
-/// Base of a body that the prescribed motion moves.
+/// The base class of a body that moves with the prescribed motion.
 struct WallBody {};
-/// Base of a body whose groups are rigid bodies, which move by the forces on them. Passes treat its particles as those
-/// of a wall.
+/// The base class of a body whose groups are rigid bodies, which move under the forces that act on them. Passes treat
+/// its particles as wall particles.
 struct RigidBody : WallBody {};
 
-/// The bodies of a formulation that names no others. In passes they are roles: Wall stands for each body that
-/// follows a motion, and Material for the body that evolves. If several evolve, it is the one whose physics model runs.
+/// The evolving body of a formulation that names no bodies of its own. In passes, Material is a role that stands for
+/// the body that evolves; if several bodies evolve, it stands for the body whose physics model runs.
 struct Material : MaterialBody {
   static constexpr std::string_view name = "material";
 };
-/// The wall particles of a solver, a body that the prescribed motion moves.
+/// The wall particles of a formulation that names no bodies of its own; they move with the prescribed motion. In
+/// passes, Wall is a role that stands for each body that follows a motion.
 struct Wall : WallBody {
   static constexpr std::string_view name = "wall";
 };
 
-/// The states of the rigid bodies of a formulation: one particle each, at the centre of mass. No pass names it by a
-/// role.
+/// The states of the rigid bodies of a formulation, with one particle per rigid body at its centre of mass. No role in
+/// a pass includes RigidStates.
 struct RigidStates {
   static constexpr std::string_view name = "rigid bodies";
 };
 
-/// A body whose fields the physics model advances.
+/// Whether the physics model advances the fields of a body.
 template <class B>
 concept EvolvingBody = std::derived_from<B, MaterialBody>;
-/// A body that moves by a prescribed motion or as rigid bodies.
+/// Whether a body moves with a prescribed motion or as rigid bodies.
 template <class B>
 concept FollowingBody = std::derived_from<B, WallBody>;
-/// A body whose groups are rigid bodies.
+/// Whether the groups of a body are rigid bodies.
 template <class B>
 concept RigidTag = std::derived_from<B, RigidBody>;
-/// A body of particles, or the states of rigid bodies.
+/// Whether a type is a body of particles or RigidStates.
 template <class B>
 concept BodyTag = (EvolvingBody<B> != FollowingBody<B> || std::same_as<B, RigidStates>)&&requires {
   { B::name } -> std::convertible_to<std::string_view>;
@@ -59,7 +60,7 @@ struct Bodies {
 
 namespace detail {
 
-/// Whether particles of a body are among those that a pass names: it names the body or its role.
+/// Whether a pass that names `Named` includes the particles of a body, because `Named` is the body or its role.
 template <class Named, class Body>
 inline constexpr bool covers = std::is_same_v<Named, Body> || (std::is_same_v<Named, Material> && EvolvingBody<Body>) ||
                                (std::is_same_v<Named, Wall> && FollowingBody<Body>);
@@ -91,7 +92,7 @@ inline constexpr bool is_list_of_bodies = false;
 template <class... Bs>
 inline constexpr bool is_list_of_bodies<Bodies<Bs...>> = true;
 
-/// Whether a list contains a body itself, not only one of its role.
+/// Whether a list contains a body itself, not only a body with the same role.
 template <class Body, class List>
 inline constexpr bool is_listed = false;
 template <class Body, class... Bs>
@@ -108,7 +109,7 @@ constexpr std::size_t index_among(Bodies<Bs...>) {
 template <bool Rigid, class... Bs>
 auto with_rigid(Bodies<Bs...>) ->
     typename joined_bodies<std::conditional_t<RigidTag<Bs> == Rigid, Bodies<Bs>, Bodies<>>...>::type;
-/// The rigid bodies of a list, and the others.
+/// The rigid bodies of a list.
 template <class List>
 using rigid_among = decltype(with_rigid<true>(List{}));
 template <class List>
@@ -127,11 +128,12 @@ using rigid_body_of = typename first_body<rigid_among<List>>::type;
 
 }  // namespace detail
 
-/// The bodies of a list that a pass names, by themselves or by their role.
+/// The bodies of a list that a pass names, either directly or by their role.
 template <class Named, class List>
 using bodies_named = typename detail::find_bodies<Named, List>::type;
 
-/// The index of a body in a list. Material and Wall also refer to the only body with their role.
+/// Returns the index of a body in a list. Material and Wall also refer to a body with the respective role if it is the
+/// only one.
 template <BodyTag Body, class List>
 constexpr std::size_t body_index() {
   constexpr std::size_t found = detail::is_listed<Body, List> ? 1 : bodies_named<Body, List>::count;
@@ -147,12 +149,12 @@ constexpr std::size_t body_index() {
 template <class T, class List>
 struct PerBody {
   std::array<T, List::count> all;
-  /// The object of a body.
+  /// Returns the object of a body.
   template <BodyTag Body>
   T& of() {
     return all[body_index<Body, List>()];
   }
-  /// The object of a body.
+  /// Returns the object of a body.
   template <BodyTag Body>
   T const& of() const {
     return all[body_index<Body, List>()];

@@ -5,7 +5,7 @@
 #include "array.hpp"
 #include "record.hpp"
 
-// The part of a particle container that goes into a kernel: one array per field, and only the named fields.
+// The part of a particle container that is passed to a kernel: one span for each of the named fields.
 namespace scree {
 
 /// The values of one field of all particles, as a span for kernels.
@@ -33,7 +33,7 @@ struct Columns<P, Fields<Fs...>> : detail::ColumnSlot<P, Fs>... {
     return value_of((*this)[field](i));
   }
   SCREE_FN Record<P, Fields<Fs...>> load([[maybe_unused]] int i) const { return {{load(Fs{}, i)}...}; }
-  /// Loads the fields of a particle, some of whose values are already known and are not read again.
+  /// Returns the fields of a particle. Values that are already known are not read again.
   template <class... Gs>
   SCREE_LOOP_FN Record<P, Fields<Fs...>> load(int i, Record<P, Fields<Gs...>> const& known) const {
     return {{known_or_loaded<OneOf<Fs, Fields<Gs...>>>(Fs{}, i, known)}...};

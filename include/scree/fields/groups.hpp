@@ -16,41 +16,42 @@
 
 namespace scree {
 
-/// Consecutive Identity numbers: from `first` up to, not including, `last`.
+/// A range of consecutive Identity numbers, from `first` up to but not including `last`.
 struct IdentityRange {
   int first = 0, last = 0;  ///< the first number, and the one after the last
 
-  /// How many numbers there are.
+  /// Returns the number of Identity numbers in the range.
   int size() const { return last - first; }
-  /// Whether a number is one of them.
+  /// Whether the range contains a number.
   SCREE_FN bool contains(int number) const { return number >= first && number < last; }
 };
 
-/// Which particles of a body, or of a group, a rank has at its start, and which all ranks have together.
+/// The ranges of Identity numbers of a body or of a group at the start of a case, on this rank and on all ranks
+/// together.
 struct RangeHere {
-  IdentityRange here, all;  ///< on this rank, and on all ranks
+  IdentityRange here, all;  ///< the range on this rank, and the range on all ranks
 };
 
 /// The particles of one body, collected in named groups. Groups are numbered from 0 in the order in which they are
-/// added; a solver made from them gives each particle the number of its group (field `group`). Identity numbers count
-/// the particles of a body in the order in which they are given, so a group is always a range of these numbers. Where
-/// each rank of a case has shares of the groups, numbers and ranges count the particles of the whole case.
+/// added; a solver made from the groups stores the group number of each particle (field `group`). Identity numbers
+/// count the particles of a body in the order in which they are given, so that each group is a range of Identity
+/// numbers. If each rank of a case has shares of the groups, numbers and ranges count the particles of the whole case.
 template <int Dim>
 class Groups {
  public:
-  /// Appends a group; it may be empty. Returns the collection, so that calls can be chained. Throws
-  /// std::invalid_argument if the name is empty or there is a group of this name. Other functions that
-  /// take the name of a group throw it if there is no such group.
+  /// Appends a group, which may be empty. Returns the collection, so that calls can be chained. Throws
+  /// std::invalid_argument if the name is empty, if a group of this name exists, or if other groups are shares. Other
+  /// functions that take the name of a group throw std::invalid_argument if there is no such group.
   Groups& add(std::string const& name, std::vector<Vec<Dim, double>> const& points) {
     return add(name, points, 0, static_cast<long>(points.size()), points.empty() ? Given::empty : Given::whole);
   }
-  /// Appends a group of which this rank gives a share of the points. Throws std::invalid_argument if other groups are
-  /// whole.
+  /// Appends a group for which this rank gives only its share of the points. Throws std::invalid_argument if other
+  /// groups are given whole.
   Groups& add(std::string const& name, std::same_as<SharedPoints<Dim>> auto const& share) {
     share.check();
     return add(name, share.points, share.first, share.all, Given::shares);
   }
-  // With any other argument the compiler says what a group is made of.
+  // For any other argument, a compile-time message explains which points a group takes.
   template <class Points>
   requires(!std::is_convertible_v<Points const&, std::vector<Vec<Dim, double>> const&> &&
            !std::same_as<Points, SharedPoints<Dim>>) Groups& add(std::string const&, Points const&) {
@@ -60,35 +61,36 @@ class Groups {
     return *this;
   }
 
-  /// All particles that were given here, m, in the order of the groups.
+  /// Returns the positions (m) of all particles that were given on this rank, in the order of the groups.
   std::vector<Vec<Dim, double>> const& points() const { return points_; }
-  /// The number of particles of all groups, shares of other ranks included.
+  /// Returns the number of particles of all groups, including the shares of other ranks.
   long size() const { return groups_.empty() ? 0 : groups_.back().range.all.last; }
-  /// Whether the groups are shares of ranks.
+  /// Whether each rank gives only its shares of the groups.
   bool are_shares() const { return given_ == Given::shares; }
-  /// The particles of each group that were given here.
+  /// Returns the ranges of the particles of each group, on this rank and on all ranks.
   std::vector<RangeHere> ranges_here() const {
     std::vector<RangeHere> all;
     for (auto const& each : groups_) all.push_back(each.range);
     return all;
   }
-  /// The Identity numbers of the particles of a group, on all ranks.
+  /// Returns the Identity numbers of the particles of a group on all ranks.
   IdentityRange range(std::string const& name) const { return groups_[place_of(name)].range.all; }
-  /// Number of a group.
+  /// Returns the number of a group.
   int number(std::string const& name) const { return static_cast<int>(place_of(name)); }
-  /// Number of groups.
+  /// Returns the number of groups.
   int count() const { return static_cast<int>(groups_.size()); }
-  /// The number of the group of each particle that was given here.
+  /// Returns the group number of each particle that was given on this rank.
   std::vector<int> numbers() const { return numbers(&RangeHere::here); }
-  /// The number of the group of each particle of the whole case.
+  /// Returns the group number of each particle of the whole case.
   std::vector<int> numbers_of_all() const { return numbers(&RangeHere::all); }
-  /// The name of the group of a particle, by its Identity. Throws std::out_of_range for a particle of no group.
+  /// Returns the name of the group to which the particle with a given Identity belongs. Throws std::out_of_range if the
+  /// particle is in no group.
   std::string const& name_of(int particle) const {
     for (auto const& each : groups_)
       if (each.range.all.contains(particle)) return each.name;
     throw std::out_of_range("set-up: no particle " + std::to_string(particle) + " among " + std::to_string(size()));
   }
-  /// The names of the groups, in the order in which they were added.
+  /// Returns the names of the groups, in the order in which they were added.
   std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (auto const& each : groups_) result.push_back(each.name);

@@ -62,7 +62,7 @@ struct subtract<Fields<Ks...>, Fields<A, As...>, B> {
   using type = typename subtract<kept, Fields<As...>, B>::type;
 };
 
-// The member lists of a model default to an empty list, so that a model declares only those it uses.
+// The member lists of a model default to an empty list, so that a model declares only the lists that it uses.
 #define SCREE_OPTIONAL_LIST(list)         \
   template <class T>                      \
   struct list##_or_none {                 \
@@ -83,38 +83,38 @@ SCREE_OPTIONAL_LIST(provides)
 
 }  // namespace detail
 
-/// A field that is in a list of fields.
+/// Whether a field is in a list of fields.
 template <class F, class List>
 concept OneOf = detail::contains<F, List>;
 
-/// Union of lists.
+/// The union of lists.
 template <class... Lists>
 using Merge = typename detail::merge<Lists...>::type;
 
-/// Fields of A that are not in B.
+/// The fields of A that are not in B.
 template <class A, class B>
 using Without = typename detail::subtract<Fields<>, A, B>::type;
 
-/// Fields of A that are also in B.
+/// The fields of A that are also in B.
 template <class A, class B>
 using Common = Without<A, Without<A, B>>;
 
-/// The fields `reads` that a model reads from either particle; none if it declares none.
+/// The fields that a model reads from either particle of a pair: its list `reads`, or an empty list.
 template <class T>
 using reads_of = typename detail::reads_or_none<T>::type;
-/// The fields `reads_i` that a term or lens reads of particle i alone; none if it declares none.
+/// The fields that a term or lens reads only from particle i: its list `reads_i`, or an empty list.
 template <class T>
 using reads_i_of = typename detail::reads_i_or_none<T>::type;
-/// The fields `reads_j` that a term reads of particle j alone; none if it declares none.
+/// The fields that a term reads only from particle j: its list `reads_j`, or an empty list.
 template <class T>
 using reads_j_of = typename detail::reads_j_or_none<T>::type;
-/// The fields `adds` that a term adds to; none if it declares none.
+/// The fields to which a term adds: its list `adds`, or an empty list.
 template <class T>
 using adds_of = typename detail::adds_or_none<T>::type;
-/// The fields `writes` that a function of a particle writes; none if it declares none.
+/// The fields that a point function writes: its list `writes`, or an empty list.
 template <class T>
 using writes_of = typename detail::writes_or_none<T>::type;
-/// The fields that a lens gives in place of those of particle j, its `provides`; none if it declares none.
+/// The fields of particle j that a lens replaces: its list `provides`, or an empty list.
 template <class T>
 using provides_of = typename detail::provides_or_none<T>::type;
 

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <type_traits>
 
-// Untyped memory: operations on whole arrays need bytes only, and are compiled once for all fields.
+// Untyped memory. Operations on whole arrays need only bytes, so they are compiled only once for all fields.
 namespace scree {
 
 namespace detail {
@@ -34,7 +34,8 @@ struct FillWithZeros {
 
 }  // namespace detail
 
-/// Bytes that may still be allocated in a memory space, as far as the system reports it; infinite otherwise.
+/// Returns the number of bytes that may still be allocated in a memory space, at most the limit of
+/// assume_free_memory(). If the system does not report the number, returns that limit, which is infinite by default.
 template <class Space>
 double free_memory() {
   if constexpr (on_host<Space>) return available_memory();
@@ -49,15 +50,16 @@ double free_memory() {
   return detail::assumed_memory();
 }
 
-/// Bytes in a memory space; copies share them. Not a Kokkos::View, because each View type instantiates a dozen kernels
-/// for copies between layouts.
+/// A block of bytes in a memory space, which copies of the object share. It is not a Kokkos::View, because each View
+/// type instantiates a dozen kernels for copies between layouts.
 template <class Space>
 class Memory {
  public:
   Memory() = default;
-  /// New bytes, not initialised; the label is for profilers. Throws std::runtime_error if a device has too few of them.
+  /// Allocates bytes without initialising them; the label is for profilers. Throws std::runtime_error if a device has
+  /// too few free bytes.
   Memory(std::string_view label, std::size_t size) : size_(size) {
-    constexpr std::size_t much = std::size_t(1) << 26;  // the question itself takes time
+    constexpr std::size_t much = std::size_t(1) << 26;  // the query itself takes time
     if (!on_host<Space> && size > much && double(size) > free_memory<Space>())
       throw std::runtime_error("scree: '" + std::string(label) + "' needs " + detail::short_text(double(size) * 1e-9) +
                                " GB of the memory of the device, " + detail::short_text(free_memory<Space>() * 1e-9) +
@@ -68,9 +70,9 @@ class Memory {
           [](std::byte* bytes) { Kokkos::kokkos_free<Space>(bytes); }};
   }
 
-  /// The number of bytes.
+  /// Returns the number of bytes.
   std::size_t size() const { return size_; }
-  /// The first byte; nullptr without any.
+  /// Returns the address of the first byte, or nullptr if there are no bytes.
   std::byte* data() const { return bytes_.get(); }
 
   /// Sets all bytes to zero.
@@ -93,7 +95,7 @@ class Memory {
   std::size_t size_ = 0;
 };
 
-/// Copies bytes from one memory space to another, after all earlier kernels of an instance, and waits for them.
+/// Copies bytes from one memory space to another after all earlier kernels of an instance, and waits for the copy.
 template <class To, class From, class Execution>
 void copy_bytes(Execution const& space, void* to, void const* from, std::size_t bytes) {
   if (bytes == 0) return;
@@ -107,13 +109,13 @@ void copy_bytes(Execution const& space, void* to, void const* from, std::size_t 
   }
 }
 
-/// A column of values of unknown type, each of `of_each` words.
+/// A column of values of unknown type, with `of_each` words per value.
 struct UntypedColumn {
   using Word = std::uint32_t;
   Word* words = nullptr;
   int of_each = 0;
 
-  /// Sets value `to` to value `from` of another column.
+  /// Sets the value at index `to` to the value at index `from` of another column.
   SCREE_FN void copy(UntypedColumn const& source, int from, int to) const {
     Word const* const given = source.words + std::size_t(from) * std::size_t(of_each);
     Word* const taken = words + std::size_t(to) * std::size_t(of_each);
@@ -128,7 +130,7 @@ struct Gather {
   Span<int const> order;
   SCREE_FN void operator()(int k) const { to.copy(from, order(k), k); }
 };
-/// Counts the entries of a list that are less than or equal to their predecessor.
+/// A function for reduce() that counts the entries of a list that are less than or equal to their predecessors.
 struct CountFalls {
   using value_type = int;
   Span<int const> list;
@@ -136,7 +138,7 @@ struct CountFalls {
   SCREE_FN void join(int& falls, int const& other) const { falls += other; }
   SCREE_FN void operator()(int k, int& falls) const { falls += k > 0 && list(k) <= list(k - 1); }
 };
-/// Copies values from the beginning of a column to another one, from index `first` on.
+/// A loop body that copies values from the beginning of one column to another, starting there at index `first`.
 struct PutAt {
   UntypedColumn from, to;
   int first;

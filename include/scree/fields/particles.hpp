@@ -17,27 +17,27 @@
 
 namespace scree {
 
-/// Numbers of columns of a body, in the order of its fields. It refers to an array that must outlive it.
+/// A list of column numbers of a body, in the order of its fields. The list refers to an array that must outlive it.
 class ColumnNumbers {
  public:
-  /// An empty list of columns.
+  /// Makes an empty list of columns.
   constexpr ColumnNumbers() = default;
-  /// The first `size` numbers of an array.
+  /// Refers to the first `size` numbers of an array.
   constexpr ColumnNumbers(std::size_t const* numbers, std::size_t size) : numbers_(numbers), size_(size) {}
-  /// All numbers of an array.
+  /// Refers to all numbers of an array.
   template <std::size_t Size>
   constexpr ColumnNumbers(std::array<std::size_t, Size> const& numbers) : ColumnNumbers(numbers.data(), Size) {}
-  /// All numbers of a vector.
+  /// Refers to all numbers of a vector.
   ColumnNumbers(std::vector<std::size_t> const& numbers) : ColumnNumbers(numbers.data(), numbers.size()) {}
   /// Whether the list is empty.
   bool empty() const { return size_ == 0; }
-  /// The number of columns in the list.
+  /// Returns the number of columns in the list.
   std::size_t size() const { return size_; }
-  /// The k-th number.
+  /// Returns the k-th column number.
   std::size_t operator[](std::size_t k) const { return numbers_[k]; }
-  /// The address of the first number.
+  /// Returns the address of the first number.
   std::size_t const* begin() const { return numbers_; }
-  /// The address after the last number.
+  /// Returns the address after the last number.
   std::size_t const* end() const { return numbers_ + size_; }
 
  private:
@@ -65,27 +65,27 @@ struct ColumnNumbersOf<Fields<All...>, Fields<Fs...>> {
   static constexpr std::array<std::size_t, sizeof...(Fs)> value = {number<Fs>()...};
 };
 
-/// Throws std::invalid_argument unless there is a value of the named field for each of the owned particles.
+/// Throws std::invalid_argument unless there is one value of the named field for each owned particle.
 void require_values(std::string_view field, std::size_t values, int owned);
-/// Throws std::invalid_argument unless there is a value of the named field for each owned particle from number `first`
+/// Throws std::invalid_argument unless there is one value of the named field for each owned particle from index `first`
 /// on.
 void require_values_from(std::string_view field, std::size_t values, int first, int owned);
-/// Throws std::logic_error: a body does not carry a field.
+/// Throws std::logic_error for a field that a body does not carry.
 [[noreturn]] void refuse_column(std::string_view field);
 
-/// Columns of values whose sizes are known and whose types are not; owned particles come first, ghosts after them.
+/// Columns of particle values with known sizes and unknown types. Owned particles come first, followed by ghosts.
 template <class Space>
 class UntypedParticles {
  public:
   using MemorySpace = typename Space::memory_space;
   struct Kind {
     std::string_view name;
-    std::size_t bytes;   // of a value
-    std::size_t stride;  // from one value to the next
-    void const* field;   // &field_key of it
+    std::size_t bytes;   // the size of a value
+    std::size_t stride;  // the distance from one value to the next
+    void const* field;   // the address of its field_key
   };
 
-  /// Takes an array of kinds, which must outlive the particles.
+  /// Makes one column for each kind. The array of kinds must outlive the particles.
   UntypedParticles(Space const& space, Kind const* kinds, std::size_t count);
   UntypedParticles(UntypedParticles&&) noexcept;
   UntypedParticles& operator=(UntypedParticles&&) noexcept;
@@ -94,39 +94,41 @@ class UntypedParticles {
   Space const& space() const { return space_; }
   int size() const { return owned_; }
   std::size_t kinds() const { return columns_.size(); }
-  /// The number of the column of a field, given by the address of its key; kinds() if there is none.
+  /// Returns the column number of a field that is given by the address of its key, or kinds() if there is no such
+  /// column.
   std::size_t find(void const* field) const {
     std::size_t k = 0;
     while (k < columns_.size() && kinds_[k].field != field) ++k;
     return k;
   }
-  /// The size of a value of a column.
+  /// Returns the size of a value of a column, in bytes.
   std::size_t bytes_of(std::size_t column) const { return kinds_[column].bytes; }
   int ghosts() const { return ghosts_; }
   int extent() const { return owned_ + ghosts_; }
 
   void resize(int owned, int ghosts);
-  /// Reserves memory for a number of particles, ghosts included.
+  /// Reserves memory for a number of particles, including ghosts.
   void reserve(int extent) {
     if (extent > capacity_) set_capacity(extent);
   }
-  /// Copies the owned values of a column to the host, without padding, and back.
+  /// Copies the values of owned particles in a column to the host (to_host) or from it (from_host), without padding.
   void to_host(std::size_t column, void* values) const;
   void from_host(std::size_t column, void const* values) const { from_host(column, values, 0); }
-  /// Copies values from the host to the owned particles from number `first` on.
+  /// Copies values from the host to the owned particles from index `first` on.
   void from_host(std::size_t column, void const* values, int first) const;
-  /// Whether all bytes of the owned values are zero.
+  /// Whether all bytes of the owned particles' values in a column are zero.
   bool is_zero(std::size_t column) const;
   void reorder(Span<int const> order) { rearrange(order, std::max(1, order.size())); }
   void keep(Span<int const> rising);
-  /// Adds owned particles with zeros, in place of the ghosts; returns the number of the first.
+  /// Adds owned particles with zeros in all columns, and removes all ghosts. Returns the index of the first new
+  /// particle.
   int append(int number);
-  /// Copies the values of some particles to the host, without padding.
+  /// Copies the values of particles with given indices to the host, without padding.
   void to_host(std::size_t column, Span<int const> which, void* values) const;
   void fill(std::size_t column, Memory<MemorySpace> const& value);
   Memory<MemorySpace> const& memory(std::size_t column) const { return columns_[column]; }
   UntypedColumn untyped(std::size_t column) const { return untyped(columns_[column], column); }
-  /// Other memory viewed as if it belonged to a column.
+  /// Returns a view of other memory as if it belonged to a column.
   UntypedColumn untyped(Memory<MemorySpace> const& memory, std::size_t column) const {
     using Word = UntypedColumn::Word;
     return {reinterpret_cast<Word*>(memory.data()), static_cast<int>(kinds_[column].stride / sizeof(Word))};
@@ -134,8 +136,9 @@ class UntypedParticles {
 
  private:
   void to_host(void* values, void const* column, std::size_t count, std::size_t bytes, std::size_t stride) const;
-  /// Keeps the particles of a list in its order, with zeros behind them, through a buffer for a block of the widest
-  /// column. With several blocks the list must be ascending, so that no block overwrites values that a later one reads.
+  /// Keeps the particles of a list in the order of the list, followed by zeros. Values are copied through a buffer for
+  /// one block of the widest column. With several blocks, the list must be ascending, so that no block overwrites
+  /// values that a later block reads.
   void rearrange(Span<int const> order, int block);
   void grow(int extent);
   void set_capacity(int capacity);
@@ -260,7 +263,7 @@ void UntypedParticles<Space>::grow(int extent) {
 
 template <class Space>
 void UntypedParticles<Space>::set_capacity(int capacity) {
-  double before = 0, bytes = 0, largest = 0;  // a column is there twice while it is copied
+  double before = 0, bytes = 0, largest = 0;  // a column exists twice while it is copied
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     bytes += double(kinds_[k].stride);
     before += double(columns_[k].size()), largest = std::max(largest, double(columns_[k].size()));
@@ -284,15 +287,15 @@ Memory<typename Space::memory_space> UntypedParticles<Space>::new_column(std::si
 
 }  // namespace detail
 
-/// The column numbers of some fields of a body.
+/// Returns the column numbers of some fields of a body.
 template <class All, class List>
 ColumnNumbers column_numbers(List) {
   return detail::ColumnNumbersOf<All, List>::value;
 }
 
-/// The particles of one body with any fields; the column of a field is found at run time. Owned particles come first,
-/// ghosts (periodic images, particles of other ranks) after them. Loops run over owned particles and read both, on the
-/// instance of the execution space on which the particles were made.
+/// The particles of one body with any fields, whose columns are found at run time. Owned particles come first, followed
+/// by ghosts (periodic images and particles of other ranks). Loops visit only owned particles but also read ghosts;
+/// they run on the execution-space instance on which the particles were made.
 template <class P>
 class AnyParticles {
  public:
@@ -301,44 +304,44 @@ class AnyParticles {
 
   AnyParticles(AnyParticles const&) = delete;  // a copy would share the fields
 
-  /// The instance of the execution space in which loops over the particles run.
+  /// Returns the execution-space instance on which loops over the particles run.
   typename P::space const& space() const { return columns_.space(); }
-  /// The number of owned particles.
+  /// Returns the number of owned particles.
   int size() const { return columns_.size(); }
-  /// The number of ghosts.
+  /// Returns the number of ghosts.
   int ghosts() const { return columns_.ghosts(); }
-  /// The number of owned particles and ghosts.
+  /// Returns the number of owned particles and ghosts.
   int extent() const { return columns_.extent(); }
-  /// The number of owned particles on all ranks of the case. It determines the number of lanes that share a target
+  /// Returns the number of owned particles on all ranks of the case, which determines how many lanes share a target
   /// (lanes_for()).
   long everywhere() const { return std::max(everywhere_, long(size())); }
   /// Sets the number of owned particles on all ranks of the case.
   void set_everywhere(long particles) { everywhere_ = particles; }
 
-  /// Sets the numbers of owned and ghost particles; values of remaining owned particles are kept. Throws
-  /// std::invalid_argument for negative numbers, and for more particles than an int can count or the memory of the host
-  /// or of the device can hold.
+  /// Sets the numbers of owned particles and ghosts, and keeps the values of remaining owned particles. Throws
+  /// std::invalid_argument if a number is negative, or if there are more particles than an int can count or the memory
+  /// of the host or device can hold.
   void resize(int owned, int ghosts = 0) {
     columns_.resize(owned, ghosts);
     guard_ = {};
   }
-  /// Reserves memory for a number of particles, including ghosts, so that a lack of memory is reported now. Throws as
-  /// resize() does.
+  /// Reserves memory for a number of particles, including ghosts, so that a lack of memory is reported immediately.
+  /// Throws as resize() does.
   void reserve(int extent) { columns_.reserve(extent); }
-  /// Permutes the owned particles: entry k becomes the particle that was at order(k). Particles that are not in the
-  /// order are removed, and so are all ghosts.
+  /// Permutes the owned particles, so that the particle at index order(k) moves to index k. Removes all particles whose
+  /// indices are not in `order`, and all ghosts.
   void reorder(Array<P, int const> const& order) {
     columns_.reorder(order);
     guard_ = {};
   }
-  /// Keeps the particles of an ascending list of indices, and removes all others and all ghosts. It needs less memory
-  /// than reorder(). Throws std::invalid_argument if the list is not in ascending order.
+  /// Keeps the particles of an ascending list of indices, and removes all other particles and all ghosts. keep() needs
+  /// less memory than reorder(). Throws std::invalid_argument if the list is not in strictly ascending order.
   void keep(Array<P, int const> const& rising) {
     columns_.keep(rising);
     guard_ = {};
   }
-  /// Adds owned particles after the others, with zeros in all fields, and removes all ghosts. Returns the index of the
-  /// first. Throws as resize() does.
+  /// Adds owned particles after the existing ones, with zeros in all fields, and removes all ghosts. Returns the index
+  /// of the first new particle. Throws as resize() does.
   int append(int number) {
     guard_ = {};
     return columns_.append(number);
@@ -349,34 +352,34 @@ class AnyParticles {
   bool has(F) const {
     return columns_.find(&detail::field_key<F>) < columns_.kinds();
   }
-  /// The number of the column of a field. Throws std::logic_error if the body does not carry it.
+  /// Returns the column number of a field. Throws std::logic_error if the body does not carry the field.
   template <Field F>
   std::size_t number_of(F) const {
     std::size_t const k = columns_.find(&detail::field_key<F>);
     if (k == columns_.kinds()) detail::refuse_column(F::name);
     return k;
   }
-  /// The numbers of the columns of some fields. Throws std::logic_error if the body does not carry one of them.
+  /// Returns the column numbers of some fields. Throws std::logic_error if the body does not carry all of these fields.
   template <class... Fs>
   std::vector<std::size_t> numbers_of(Fields<Fs...>) const {
     return {number_of(Fs{})...};
   }
-  /// The array of one field; entries [size(), extent()) belong to ghosts. Throws as number_of() does.
+  /// Returns the array of one field; entries [size(), extent()) belong to ghosts. Throws as number_of() does.
   template <Field F>
   Array<P, value_t<P, F>> operator[](F field) const {
     return array<F>(number_of(field));
   }
-  /// The values of one field, for kernels. Throws as number_of() does.
+  /// Returns the values of one field for use in kernels. Throws as number_of() does.
   template <Field F>
   Column<P, F> column(F field) const {
     return span<F>(number_of(field));
   }
-  /// The values of some fields, for kernels. Throws as number_of() does.
+  /// Returns the values of some fields for use in kernels. Throws as number_of() does.
   template <class... Fs>
   Columns<P, Fields<Fs...>> select(Fields<Fs...>) const {
     return {{column(Fs{})}...};
   }
-  /// A host copy of the values of the owned particles. Throws as number_of() does.
+  /// Returns a host copy of the values of a field for the owned particles. Throws as number_of() does.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F field) const {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(size()));
@@ -384,7 +387,7 @@ class AnyParticles {
     return values;
   }
 
-  /// A host copy of the values of some particles, given by their indices. Throws as number_of() does.
+  /// Returns a host copy of the values of a field for the particles with given indices. Throws as number_of() does.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F field, Array<P, int const> const& which) const {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(which.size()));
@@ -394,10 +397,10 @@ class AnyParticles {
 
   /// Sets the guard to which loops that move particles report.
   void guard_positions(detail::PositionGuard<P> const& guard) { guard_ = guard; }
-  /// The guard to which loops that move particles report.
+  /// Returns the guard to which loops that move particles report.
   detail::PositionGuard<P> const& position_guard() const { return guard_; }
 
-  /// All columns, in the order of the fields, without their types.
+  /// Returns all columns without their types, in the order of the fields.
   Untyped const& columns() const { return columns_; }
 
  protected:
@@ -420,12 +423,12 @@ class AnyParticles {
 
  private:
   detail::PositionGuard<P> guard_;
-  long everywhere_ = 0;  // 0: they are all here
+  long everywhere_ = 0;  // 0: all particles are on this rank
 };
 
 namespace detail {
 
-/// All bodies of a system, in order, to be changed or, with a constant `Particles`, only read. It refers to an array of
+/// All bodies of a system, in order; they are read-only if `Particles` is const. The list refers to an array of
 /// pointers that must outlive it.
 template <class Particles>
 class BodyList {
@@ -433,7 +436,7 @@ class BodyList {
   template <class Same, std::size_t Size>
   BodyList(std::array<Same*, Size> const& bodies) : bodies_(bodies.data()), size_(Size) {}
   BodyList(Particles* const* bodies, std::size_t size) : bodies_(bodies), size_(size) {}
-  /// A list of the same bodies that only reads them.
+  /// Makes a read-only list of the same bodies.
   template <class Same>
   BodyList(BodyList<Same> const& same) : BodyList(same.data(), same.size()) {}
   Particles* const* data() const { return bodies_; }
@@ -447,14 +450,14 @@ class BodyList {
 /// All bodies of a system.
 template <class P>
 using AllBodies = BodyList<AnyParticles<P>>;
-/// All bodies of a system, to read.
+/// All bodies of a system, read-only.
 template <class P>
 using AllBodiesRead = BodyList<AnyParticles<P> const>;
 
 }  // namespace detail
 
-/// The particles of one body with given fields: one array per field, `particles[velocity]`. Access to a field that they
-/// do not carry is an error at compile time.
+/// The particles of one body with given fields, stored as one array per field, such as `particles[velocity]`. Access to
+/// a field that the particles do not carry is a compile-time error.
 template <class P, class List>
 class Particles;
 
@@ -482,37 +485,38 @@ class Particles<P, Fields<Fs...>> : public AnyParticles<P> {
   static constexpr bool has(F) {
     return OneOf<F, fields>;
   }
-  /// The array of one field; entries [size(), extent()) belong to ghosts.
+  /// Returns the array of one field; entries [size(), extent()) belong to ghosts.
   template <Field F>
   Array<P, value_t<P, F>> operator[](F) const {
     return Any::template array<F>(place<F>);
   }
-  /// The values of one field, for kernels.
+  /// Returns the values of one field for use in kernels.
   template <Field F>
   Column<P, F> column(F) const {
     return Any::template span<F>(place<F>);
   }
-  /// The values of some fields, for kernels.
+  /// Returns the values of some fields for use in kernels.
   template <class... Gs>
   Columns<P, Fields<Gs...>> select(Fields<Gs...>) const {
     return {{column(Gs{})}...};
   }
 
-  /// A host copy of the owned particles' values.
+  /// Returns a host copy of the values of a field for the owned particles.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F) const {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(size()));
     columns_.to_host(place<F>, values.data());
     return values;
   }
-  /// A host copy of the values of some particles, given by their indices.
+  /// Returns a host copy of the values of a field for the particles with given indices.
   template <Field F>
   std::vector<value_t<P, F>> to_host(F, Array<P, int const> const& which) const {
     std::vector<value_t<P, F>> values(static_cast<std::size_t>(which.size()));
     columns_.to_host(place<F>, which, values.data());
     return values;
   }
-  /// Sets the values of the owned particles from number `first` on.
+  /// Sets the values of a field for the owned particles from index `first` on. Throws std::invalid_argument unless
+  /// there is one value for each of these particles.
   template <Field F>
   void from_host(F, std::vector<value_t<P, F>> const& values, int first) {
     detail::require_values_from(F::name, values.size(), first, size());
@@ -546,7 +550,7 @@ class Particles<P, Fields<Fs...>> : public AnyParticles<P> {
   static constexpr std::array<typename Any::Kind, sizeof...(Fs)> kinds = {
       typename Any::Kind{Fs::name, sizeof(value_t<P, Fs>), sizeof(Element<Fs>), &detail::field_key<Fs>}...};
 
-  std::array<bool, sizeof...(Fs) + 1> set_ = {};  // one more than needed: an array must not be empty
+  std::array<bool, sizeof...(Fs) + 1> set_ = {};  // one more than needed, so that the array is never empty
 };
 
 }  // namespace scree

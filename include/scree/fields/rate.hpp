@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// In a list `evolves`: the field F with a rate other than its own, for instance Evolves<Position, TransportVelocity>
-/// for positions that move with a smoothed velocity.
+/// An entry of a list `evolves` that gives the field F a rate other than its own, such as Evolves<Position,
+/// TransportVelocity> for positions that move with a smoothed velocity.
 template <Field F, Field Rate>
 struct Evolves : F {
   using rate = Rate;
@@ -16,7 +16,7 @@ struct Evolves : F {
 
 namespace detail {
 
-// An entry of a list `evolves` is a field or a field with its rate.
+// An entry of a list `evolves` is a field, or a field together with its rate.
 template <class Entry>
 struct evolution {
   using field = Entry;
@@ -28,13 +28,14 @@ struct evolution<Evolves<F, Rate>> {
 template <class Entry>
 using evolved_field = typename evolution<Entry>::field;
 
-// A field without a rate is a history variable of a projection: each stage starts with its value at the beginning of
+// A field without a rate is a history variable of a projection; each stage starts from its value at the beginning of
 // the step.
 template <class Entry>
 concept HasRate = requires {
   typename Entry::rate;
 };
-/// An entry whose values are not vectors, such as rotations: `static change(step, i)` returns the change of a value.
+/// Whether an entry has a function `static change(step, i)` that returns the change of its value, because its values
+/// are not vectors but, for example, rotations.
 template <class Entry>
 concept HasOwnChange = requires {
   requires Entry::has_own_change;
@@ -48,8 +49,8 @@ SCREE_FN auto change(Real step, I&& i) {
   else
     return Real(0);
 }
-/// The type of a time that multiplies the rates of a list: double for fields that are in double precision in every
-/// formulation, the precision of the formulation for others.
+/// The type of a time that multiplies the rates of a list: double if the first field is in double precision, and the
+/// precision of the formulation otherwise.
 template <class P, class List>
 struct time_for {
   using type = typename P::real;
@@ -97,8 +98,8 @@ using rates_of_evolved = typename detail::evolution_of<Evolved>::rates;
 template <class P, class Evolved>
 using remainders_of_evolved = typename detail::remainders_of_entries<P, Evolved>::type;
 
-/// X += change for an entry of a list `evolves`, from a value of X at an earlier time: the only place where evolved
-/// fields are advanced. A compensated field has the remainder of that time.
+/// Sets the field of an entry of a list `evolves` to `from` + `change`, where `from` is its value at an earlier time.
+/// Evolved fields are advanced only here. For a compensated field, `i` holds the remainder at that earlier time.
 template <class P, class Entry, class I, class O, class T, class Change>
 SCREE_FN void evolve(T const& from, Change const& change, [[maybe_unused]] I const& i, O& out) {
   using F = detail::evolved_field<Entry>;

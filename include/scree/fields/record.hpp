@@ -4,11 +4,11 @@
 
 #include "list.hpp"
 
-// Values of some fields of one particle, in registers.
+// Values of some fields of one particle, held in registers.
 namespace scree {
 namespace detail {
 
-/// The basis in which concepts check models that do not depend on one.
+/// A basis with which concepts check models that do not depend on a basis.
 struct AnyPoint {
   static constexpr int dim = 3;
   using real = double;
@@ -16,7 +16,8 @@ struct AnyPoint {
 /// A field that no model names.
 struct AnyField : Scalar<"any field", "1"> {};
 
-/// Stands for a value that is not there, so that the compiler tells of the mistake alone. It is never defined.
+/// Returns a stand-in for a missing value, so that the compiler reports only the mistake itself. The function is never
+/// defined.
 template <class T>
 T& missing();
 
@@ -25,7 +26,7 @@ struct Slot {
   value_t<P, F> value;
 };
 
-/// A sum can only be added to: a term can neither overwrite nor read another term's contribution.
+/// A sum to which a term can only add, so that a term can neither overwrite nor read the contribution of another term.
 template <class T>
 class Sum {
  public:
@@ -49,7 +50,7 @@ struct SumSlot {
 
 }  // namespace detail
 
-/// The values of a particle that a kernel has read: `i[velocity]`.
+/// The values of a particle that a kernel has read, as in `i[velocity]`.
 template <class P, class List>
 struct Record;
 template <class P, class... Fs>
@@ -69,7 +70,7 @@ struct Record<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
   }
 };
 
-/// The values that a point function returns: `out[shear_rate] = ...`.
+/// The values that a point function returns, as in `out[shear_rate] = ...`.
 template <class P, class List>
 struct Results;
 template <class P, class... Fs>
@@ -87,7 +88,7 @@ struct Results<P, Fields<Fs...>> : detail::Slot<P, Fs>... {
   }
 };
 
-/// The sums that a pair term adds to: `sum[acceleration] += ...` is the only operation.
+/// The sums to which a pair term adds; `sum[acceleration] += ...` is the only operation.
 template <class P, class List>
 struct Sums;
 template <class P, class... Fs>

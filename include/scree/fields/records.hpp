@@ -7,10 +7,11 @@
 #include <cstddef>
 #include <vector>
 
-// Particles on the host, one by one.
+// Records of individual particles on the host.
 namespace scree {
 
-/// Fields of the owned particles of a body, or of some of them by number: `records[k][velocity]`.
+/// Returns host records of the given fields, such as `records[k][velocity]`, for the owned particles of a body or for
+/// the particles with given indices.
 template <class Body, class... Fs, class... Numbers>
 auto records_of(Body const& body, Fields<Fs...>, Numbers const&... which) {
   using P = typename Body::policy;

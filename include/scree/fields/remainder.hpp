@@ -6,13 +6,14 @@
 
 #include <type_traits>
 
-// Remainders of evolved quantities whose steps are smaller than the last digit. In single precision x += dt u stands
-// still where dt u is less than half a unit in the last place of x, and above it is rounded to whole units: at x = 1 m
-// and dt = 1e-6 s grains of 20 mm/s move 1.9 times as fast, and slower ones do not move at all.
+// Remainders of evolved quantities whose steps are smaller than the last digit. In single precision, x += dt u leaves x
+// unchanged if dt u is less than half a unit in the last place of x; a larger dt u is rounded to whole units. At x = 1
+// m and dt = 3e-6 s, particles with a speed of 20 mm/s move 1.9 times as fast, and slower particles do not move at all.
 namespace scree {
 
-/// The rounding error of the value of a field F: value + remainder is the quantity that evolves. It is at most half a
-/// unit in the last place of the value. Integrators keep it (`is_compensated`); code that only reads F can ignore it.
+/// The rounding error of the value of a field F, at most half a unit in the last place of the value. The quantity that
+/// evolves is value + remainder. Integrators store the remainder (`is_compensated`); code that only reads F can ignore
+/// it.
 template <Field F>
 struct Remainder {
   static constexpr std::string_view name = F::name;
@@ -42,7 +43,7 @@ struct remainders<P, Fields<Fs...>> {
 };
 }  // namespace detail
 
-/// The remainders of those fields of a list that evolve with one.
+/// The remainders of the fields of a list that evolve with a remainder.
 template <class P, class List>
 using remainders_of = typename detail::remainders<P, List>::type;
 
@@ -53,14 +54,15 @@ struct Compensated {
   T value, remainder;
 };
 
-/// a + b and its rounding error, which is exact (Moeller 1965). It has no products, so that
-/// contracting them to fused multiply-adds changes nothing.
+/// Returns a + b and its rounding error, which is exact (Moeller 1965). The computation has no products, so that
+/// contraction to fused multiply-adds changes nothing.
 template <class Real>
 SCREE_LOOP_FN Compensated<Real> two_sum(Real const& a, Real const& b) {
   Real const sum = a + b, of_b = sum - a, of_a = sum - of_b;
   return {sum, (a - of_a) + (b - of_b)};
 }
-/// value + remainder + change. The error is at most a unit in the last place of the remainder.
+/// Returns value + remainder + change as a value and a remainder. The error is at most one unit in the last place of
+/// the remainder.
 template <class T>
 SCREE_LOOP_FN Compensated<T> compensated_sum(T const& value, T const& remainder, T const& change) {
   T const by = remainder + change;

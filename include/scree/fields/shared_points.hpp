@@ -13,33 +13,34 @@
 
 namespace scree {
 
-/// The share of one rank, counted from 0, in the points of a case. Team::share() gives it.
+/// The share of the points of a case that belongs to one rank. Team::share() returns it.
 struct ShareOfRank {
-  int rank = 0, ranks = 1;  ///< the number of the rank, from 0, and of all ranks
+  int rank = 0, ranks = 1;  ///< the number of the rank, from 0, and the number of ranks
 
-  /// Throws std::invalid_argument unless there is such a rank.
+  /// Throws std::invalid_argument unless 0 <= rank < ranks.
   void check() const {
     check_setting(ranks > 0, "the number of shares", ranks, "1 or more");
     check_setting(rank >= 0 && rank < ranks, "the number of a share", rank, "from 0, below the number of shares");
   }
-  /// The first of `all` points that belongs to this share; that of the next share follows its last one. Shares differ
-  /// by one point at most.
+  /// Returns the number of the first of `all` points that belongs to this share. The next share starts directly after
+  /// the last point of this share. The sizes of shares differ by at most one point.
   long first_of(long all) const { return all / ranks * rank + all % ranks * rank / ranks; }
-  /// The number after the last point of this rank, of `all` points.
+  /// Returns the number after the last of `all` points that belongs to this share.
   long end_of(long all) const { return ShareOfRank{rank + 1, ranks}.first_of(all); }
 };
-/// Functions take a share under this concept, because braces around coordinates must not become a share.
+/// Whether a type is ShareOfRank. Functions that take a share use this concept, so that coordinates in braces do not
+/// convert to a share.
 template <class T>
 concept IsShareOfRank = std::same_as<T, ShareOfRank>;
 
-/// Some consecutive points of a filling, those that one rank of a case has at its start. Point k here is number
-/// `first + k` of the `all` points of the filling. The shares of all ranks have each number once.
+/// The consecutive points of a filling that one rank of a case has at its start. Point k of the share is point number
+/// `first + k` of the `all` points of the filling. Each number must be in the share of exactly one rank.
 template <int Dim>
 struct SharedPoints {
   std::vector<Vec<Dim, double>> points;  ///< m
-  long first = 0, all = 0;               ///< the number of the first point among all, and the number of all points
+  long first = 0, all = 0;               ///< the number of the first point, and the number of points of the filling
 
-  /// Throws std::invalid_argument unless the points are among all.
+  /// Throws std::invalid_argument unless the share lies within the `all` points of the filling.
   void check() const {
     if (first < 0 || first + static_cast<long>(points.size()) > all)
       throw std::invalid_argument("set-up: a share of " + std::to_string(points.size()) + " points from number " +
@@ -49,7 +50,7 @@ struct SharedPoints {
 };
 
 namespace detail {
-/// Throws std::invalid_argument if only a share of some points is here, for a case without ranks.
+/// Throws std::invalid_argument if a case without ranks is given only a share of some points.
 [[gnu::cold]] inline void require_all_points(long here, long all) {
   if (here != all)
     throw std::invalid_argument(
@@ -59,7 +60,7 @@ namespace detail {
 }
 }  // namespace detail
 
-/// A share of points that each rank has.
+/// Returns the share of one rank of points that are known on every rank.
 template <int Dim>
 SharedPoints<Dim> share_of(std::vector<Vec<Dim, double>> const& points, ShareOfRank const& share) {
   share.check();

@@ -7,11 +7,11 @@
 
 #include <cmath>
 
-// Fields of a mixture of N species of grains, for instance of N sizes. For two sizes, Concentration
-// (fields/standard.hpp) is enough.
+// Fields of a mixture of N species of grains, such as N grain sizes. For two sizes, Concentration (fields/standard.hpp)
+// is enough.
 namespace scree {
 
-/// A field with one number for each of N species.
+/// The base of a field with N numbers per particle, one for each species.
 template <int N, Label Name, Label Unit>
 struct PerSpecies : Labelled<Name, Unit> {
   static_assert(N >= 2, "a mixture has two species or more");
@@ -19,10 +19,10 @@ struct PerSpecies : Labelled<Name, Unit> {
   using value = Vec<N, Real>;
 };
 
-/// Rates of the concentrations of the species.
+/// The rates of the concentrations of the species.
 template <int N>
 struct ConcentrationRates : PerSpecies<N, "concentration rates", "1/s"> {};
-/// Volume concentrations C_k of the species, each from 0 to 1; their sum is 1.
+/// The volume concentrations C_k of the species, each from 0 to 1, with a sum of 1.
 template <int N>
 struct Concentrations : PerSpecies<N, "concentrations", "1"> {
   using rate = ConcentrationRates<N>;
@@ -36,7 +36,7 @@ template <int N>
 inline constexpr Concentrations<N> concentrations{};
 }  // namespace fields
 
-/// The mean of a value over the species, $\sum_k C_k v_k$.
+/// Returns the mean of a value over the species, $\sum_k C_k v_k$.
 template <int N, class Real>
 SCREE_FN double mean_of_species(Vec<N, Real> const& C, Vec<N, double> const& values) {
   double sum = 0;
@@ -44,7 +44,7 @@ SCREE_FN double mean_of_species(Vec<N, Real> const& C, Vec<N, double> const& val
   return sum;
 }
 
-/// Throws std::invalid_argument for a diameter (m) of the species of a model that is not above 0.
+/// Throws std::invalid_argument unless the diameters (m) of all species of a model are finite and above 0.
 template <int N>
 void check_diameters(Vec<N, double> const& diameters, char const* model) {
   for (int k = 0; k < N; ++k)
@@ -52,7 +52,7 @@ void check_diameters(Vec<N, double> const& diameters, char const* model) {
                   detail::formatted("diameters[%d] (m) of %s", k, model).c_str(), diameters[k], "above 0");
 }
 
-/// Throws std::invalid_argument for a density (kg/m^3) of the species of a model that is not above 0.
+/// Throws std::invalid_argument unless the densities (kg/m^3) of all species of a model are finite and above 0.
 template <int N>
 void check_densities(Vec<N, double> const& densities, char const* model) {
   for (int k = 0; k < N; ++k)

@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// M4 spline on q < 2: Monaghan & Lattanzio (1985), Astron. Astrophys. 149, 135.
+/// The cubic M4 spline on q < 2: Monaghan & Lattanzio (1985), Astron. Astrophys. 149, 135.
 struct CubicSpline {
   static constexpr double support = 2;
   static constexpr bool takes_packs = true;

@@ -8,10 +8,10 @@
 
 #include <type_traits>
 
-// The library scree::compiled has instances of templates for the default kernel and the default execution space.
-// Headers that declare such templates list them in a macro of one argument, a basis, and give that to
-// SCREE_FOR_DEFAULT_BASES. A program that links the library does not compile them again; instances for other kernels
-// and spaces it compiles itself.
+// The library scree::compiled contains template instances for the default kernel and the default execution space. A
+// header that declares such instances lists them in a macro with one argument, a basis, and passes this macro to
+// SCREE_FOR_DEFAULT_BASES. A program that links the library does not compile these instances again, but compiles
+// instances for other kernels and execution spaces itself.
 #ifdef SCREE_COMPILED
 namespace scree::detail {
 template <int Dim, class Real>

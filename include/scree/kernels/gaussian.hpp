@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// $\exp(-q^2)$ cut off at q = 3, where it is 1.2e-4 of its maximum, and normalised on q < 3: Gingold & Monaghan
-/// (1977), MNRAS 181, 375.
+/// The Gaussian $\exp(-q^2)$, cut off at q = 3, where it is 1.2e-4 of its maximum, and normalised on q < 3: Gingold &
+/// Monaghan (1977), MNRAS 181, 375.
 struct Gaussian {
   static constexpr double support = 3;
   static constexpr bool takes_packs = true;
@@ -23,7 +23,8 @@ struct Gaussian {
     using Kokkos::exp;
     return -2 * exp(-q * q);
   }
-  // Mass of exp(-q^2) within q < 3: sqrt(pi) erf(3), pi (1 - exp(-9)), pi (sqrt(pi) erf(3) - 6 exp(-9)).
+  // The integral of exp(-q^2) over q < 3 in one, two and three dimensions: sqrt(pi) erf(3), pi (1 - exp(-9)), pi
+  // (sqrt(pi) erf(3) - 6 exp(-9)).
   static constexpr double root_pi = 1.7724538509055159, erf_3 = 0.99997790950300136, exp_9 = 1.2340980408667956e-4;
   template <int Dim>
   static constexpr double sigma() {

@@ -8,14 +8,14 @@
 
 namespace scree {
 
-/// Shape of a smoothing kernel as a function of the dimensionless distance q = r/h:
+/// The shape of a smoothing kernel as a function of the dimensionless distance q = r/h:
 ///   support          the radius of the support in units of h
 ///   w(q)             the shape, for 0 <= q <= support
 ///   dw_over_q(q)     (dw/dq)/q, finite at q = 0, so that a gradient needs no division by the distance
-///   sigma<Dim>()     the normalisation, with which W(r, h) = sigma / h^Dim w(r/h) integrates to one
-///   takes_packs      optional: whether it computes several numbers at once, see core/pack.hpp
-///   name             optional: what snapshots call the kernel, instead of the name of the class with its namespaces
-///                    and arguments. A snapshot is continued with a kernel of the same name only
+///   sigma<Dim>()     the normalisation constant with which W(r, h) = sigma / h^Dim w(r/h) integrates to one
+///   takes_packs      optional: whether the functions accept packs of several numbers, see core/pack.hpp
+///   name             optional: the name of the kernel in snapshots, instead of the class name with its namespaces
+///                    and arguments. A run continues from a snapshot only with a kernel of the same name
 template <class K>
 concept SmoothingKernel = requires(double q, float p) {
   { K::support } -> std::convertible_to<double>;
@@ -28,11 +28,12 @@ concept SmoothingKernel = requires(double q, float p) {
   { K::template sigma<3>() } -> std::convertible_to<double>;
 };
 
-/// A kernel with its smoothing length h (m) in Dim dimensions. Arguments must lie within the support.
+/// A kernel with smoothing length h (m) in Dim dimensions. The distances passed to its functions must lie within the
+/// support.
 template <SmoothingKernel K, int Dim, class Real>
 class KernelFunction {
  public:
-  /// A kernel with the smoothing length h, m.
+  /// Makes a kernel with the smoothing length h, m.
   explicit KernelFunction(double h)
       : h_(Real(h)),
         inverse_h_(Real(1 / h)),
@@ -47,13 +48,13 @@ class KernelFunction {
         value_factor_(other.value_factor_),
         gradient_factor_(other.gradient_factor_) {}
 
-  /// Smoothing length, m.
+  /// Returns the smoothing length, m.
   SCREE_FN Real h() const { return h_; }
-  /// Radius of the support, m.
+  /// Returns the radius of the support, m.
   SCREE_FN Real radius() const { return Real(K::support) * h_; }
-  /// W(r), 1/m^Dim.
+  /// Returns W(r), 1/m^Dim.
   SCREE_FN Real value(Real r) const { return value_factor_ * K::w(r * inverse_h_); }
-  /// (dW/dr)/r, 1/m^(Dim + 2): the gradient of W with respect to x_i is this times $x_{ij}$.
+  /// Returns (dW/dr)/r, 1/m^(Dim + 2). Multiplied by $x_{ij}$, this is the gradient of W with respect to x_i.
   SCREE_FN Real slope_over_distance(Real r) const { return gradient_factor_ * K::dw_over_q(r * inverse_h_); }
 
  private:
@@ -67,7 +68,8 @@ class KernelFunction {
 template <class P>
 using kernel_of = KernelFunction<typename P::kernel, P::dim, typename P::real>;
 
-/// sum V W over an infinite cubic lattice with a lattice point at the centre: close to 1.
+/// Returns $\sum V W$ over an infinite cubic lattice with a lattice point at the centre of the kernel; the sum is close
+/// to 1.
 template <SmoothingKernel K, int Dim, class Real>
 double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double spacing) {
   int const reach = static_cast<int>(double(kernel.radius()) / spacing) + 1;
@@ -82,8 +84,8 @@ double kernel_sum_of_lattice(KernelFunction<K, Dim, Real> const& kernel, double 
   return sum * math::power<Dim>(spacing);
 }
 
-/// h times the integral of W over a line (2D) or plane (3D) through its centre: the largest value of $\lvert h \sum V
-/// \nabla W\rvert$ at a plane surface. Computed by the midpoint rule.
+/// Returns h times the integral of W over a line (2D) or plane (3D) through its centre, computed by the midpoint rule.
+/// The result is the largest value of $\lvert h \sum V \nabla W\rvert$ at a plane surface.
 template <SmoothingKernel K, int Dim, class Real>
 double surface_asymmetry(KernelFunction<K, Dim, Real> const& kernel) {
   static_assert(Dim == 2 || Dim == 3);
@@ -98,7 +100,7 @@ double surface_asymmetry(KernelFunction<K, Dim, Real> const& kernel) {
 }
 
 namespace detail {
-/// One normalisation constant per dimension.
+/// Returns the normalisation constant for Dim dimensions.
 template <int Dim>
 constexpr double by_dimension(double one, double two, double three) {
   static_assert(Dim >= 1 && Dim <= 3);

@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// M5 spline on q < 5/2: Morris (1996), PhD thesis, Monash University.
+/// The quartic M5 spline on q < 5/2: Morris (1996), PhD thesis, Monash University.
 struct QuarticSpline {
   static constexpr double support = 2.5;
   static constexpr bool takes_packs = true;

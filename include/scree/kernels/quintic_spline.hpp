@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// M6 spline on q < 3: Morris (1996), PhD thesis, Monash University.
+/// The quintic M6 spline on q < 3: Morris (1996), PhD thesis, Monash University.
 struct QuinticSpline {
   static constexpr double support = 3;
   static constexpr bool takes_packs = true;

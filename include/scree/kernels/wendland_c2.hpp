@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// $(1 - q/2)^4 (2 q + 1)$ on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389. Does not pair particles (Dehnen & Aly
-/// 2012); the kernel of Zhu et al. (2024), eq. 3.3.
+/// The Wendland C2 kernel $(1 - q/2)^4 (2 q + 1)$ on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389. This kernel
+/// avoids the pairing instability (Dehnen & Aly 2012). It is the kernel of Zhu et al. (2024), eq. 3.3.
 struct WendlandC2 {
   static constexpr double support = 2;
   static constexpr bool takes_packs = true;

@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// $(1 - q/2)^6 (35/12 q^2 + 3 q + 1)$ on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
+/// The Wendland C4 kernel $(1 - q/2)^6 (35/12 q^2 + 3 q + 1)$ on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
 struct WendlandC4 {
   static constexpr double support = 2;
   static constexpr bool takes_packs = true;

@@ -8,7 +8,8 @@
 
 namespace scree {
 
-/// $(1 - q/2)^8 (4 q^3 + 25/4 q^2 + 4 q + 1)$ on q < 2: Wendland (1995), Adv. Comput. Math. 4, 389.
+/// The Wendland C6 kernel, $(1 - q/2)^8 (4 q^3 + 25/4 q^2 + 4 q + 1)$ on q < 2: Wendland (1995), Advances in
+/// Computational Mathematics 4, 389.
 struct WendlandC6 {
   static constexpr double support = 2;
   static constexpr bool takes_packs = true;

@@ -11,7 +11,7 @@
 namespace scree {
 namespace detail {
 
-/// A source and its position, to be read together.
+/// The index and the position of a source, stored together because they are read together.
 template <class P>
 struct alignas(16) Placed {
   typename P::real x[P::dim];
@@ -24,7 +24,8 @@ struct alignas(16) Placed {
   }
 };
 
-/// Sources sorted by cell: those of cell c are order(start(c)) ... order(start(c + 1) - 1), by ascending index.
+/// Sources sorted by cell. Cell c contains the sources order(start(c)) ... order(start(c + 1) - 1), sorted by index or
+/// by position.
 template <class P>
 struct CellOrder {
   PositionSpan<P> x;
@@ -43,7 +44,8 @@ struct FillCells : CellOrder<P> {
     this->order(this->start(cell) + Kokkos::atomic_fetch_add(&this->filled(cell), 1)) = j;
   }
 };
-/// Makes the order within a cell, and with it every sum, independent of the order of the threads.
+/// A loop body that sorts the sources within a cell by index, so that their order, and with it every sum, does not
+/// depend on the order of the threads.
 struct SortWithinCells {
   Span<int const> start;
   Span<int> order;
@@ -56,8 +58,8 @@ struct SortWithinCells {
     }
   }
 };
-/// Sorts the particles within a cell by position, one coordinate after the other. Sums then depend neither on the order
-/// of the threads nor on that of the particles in memory.
+/// A loop body that sorts the sources within a cell by position, in lexicographic order of their coordinates. Sums then
+/// depend neither on the order of the threads nor on the order of the particles in memory.
 template <class P>
 struct SortByPosition {
   PositionSpan<P> x;
@@ -100,7 +102,7 @@ struct SumUp {
   }
 };
 
-/// Valid until the next update or the end of the cell list.
+/// A view of the cells for kernels, valid until the next update or the destruction of the cell list.
 template <class P>
 struct CellView {
   Grid<P::dim, typename P::real> grid;
@@ -112,8 +114,8 @@ struct CellView {
     grid.for_each_row_around(xi, [&](int first, int last) {
       int const end = start(last + 1);
       for (int from = start(first) + range.lane; from < end; from += 32 * range.lanes) {
-        // Most are too far: they are rejected first, so that the threads of a warp do not wait for each other's
-        // calls of f.
+        // Most sources are too far away. They are rejected first, so that the threads of a warp do not wait for each
+        // other's calls of f.
         auto hits = near(xi, from, end, range.lanes);
         for (; hits != 0; hits &= hits - 1) f(sorted(from + Kokkos::countr_zero(hits) * range.lanes).index);
       }
@@ -121,7 +123,7 @@ struct CellView {
   }
 
  private:
-  /// Which of the next 32 sources of a lane lie within the radius, as bits.
+  /// Returns bits that mark which of the next 32 sources of a lane lie within the radius.
   SCREE_LOOP_FN std::uint32_t near(Vec<P::dim, typename P::real> const& xi, int from, int end, int lanes) const {
     std::uint32_t hits = 0, bit = 1;
     for (int k = from; k < end && bit != 0; k += lanes, bit <<= 1) {
@@ -134,31 +136,32 @@ struct CellView {
 
 }  // namespace detail
 
-/// Cells, and the sources within a cell, are in the order of their indices. The order of the sums depends on
+/// An order in which cells, and the sources within a cell, are sorted by index. The order of summation then depends on
 /// the order of the particles in memory.
 struct ByIndex {};
-/// Order of the sources of one cell, and of the cells: by position. The order of the sums depends on the positions
-/// alone, as long as no two particles have the same position.
+/// An order in which cells, and the sources within a cell, are sorted by position. The order of summation then depends
+/// only on the positions, as long as no two particles have the same position.
 struct ByPosition {};
 
-/// Cells of the search radius; the candidates of a target are the sources in its own and the adjacent cells (Green
-/// 2010) within the radius. Cells are divided in four along the first axis, and a target reads only the part of each
-/// row of cells that the sphere around it covers, in 3D the volume of 14.5 of 27 cells. Positions are stored in the
-/// order of the cells, so that sources beyond the radius cost one contiguous read each. Rebuilt at every update.
+/// A neighbour search with cells as large as the search radius. The candidates of a target are the sources within the
+/// radius in the target's own cell and in the adjacent cells (Green 2010). Cells are divided into four along the first
+/// axis, and a target reads only the part of each row of cells that the sphere around it covers; in 3D, this is the
+/// volume of 14.5 of 27 cells. Positions are stored in the order of the cells, so that each source beyond the radius
+/// costs one contiguous read. The cells are rebuilt at every update.
 template <class P, class Order = ByIndex>
 class CellList {
  public:
-  /// Valid until the next update or the end of the cell list.
+  /// A view of the cells for kernels, valid until the next update or the destruction of the cell list.
   using View = detail::CellView<P>;
 
-  /// Finds sources within a radius, m.
+  /// Makes a search for sources within a radius, m.
   explicit CellList(double radius);
 
   void update(Positions<P> const&, Positions<P> const& sources);
-  /// Updates the list with the cells of a frame.
+  /// Rebuilds the list with the cells of a frame.
   void update_in(Frame<P::dim> const& frame, Positions<P> const& sources);
   View view() const { return view_; }
-  /// Indices of the sources of the last update in the order of their cells.
+  /// Returns the indices of the sources of the last update, in the order of their cells.
   Array<P, int const> order() const { return order_.part(0, sources_); }
   long builds() const { return builds_; }
 
@@ -182,7 +185,7 @@ class CellList {
 
 template <class P, class Order>
 CellList<P, Order>::CellList(double radius) : radius_(radius) {
-  // Not less than the square of the radius in a loop with different rounding.
+  // Enlarged, so that it is not below the squared radius in a loop with different rounding.
   view_.squared_radius =
       typename P::real(sq(radius) * (1 + 8 * double(Kokkos::Experimental::epsilon_v<typename P::real>)));
 }

@@ -16,44 +16,46 @@
 // A uniform grid of cells over the particles of one body.
 namespace scree {
 
-/// Maps a position to a cell. Cells are numbered with the first coordinate fastest; along this axis they may be
-/// smaller.
+/// A uniform grid that maps positions to cells. Cell numbers increase fastest along the first axis, along which cells
+/// may be smaller.
 template <int Dim, class Real>
 struct Grid {
   Vec<Dim, Real> origin = zero<Vec<Dim, Real>>();  ///< the low corner of the cell with coordinates 0, m
-  Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();   ///< of a cell, m
+  Vec<Dim, Real> edges = Vec<Dim, Real>::Ones();   ///< the edge lengths of a cell, m
   int cells[Dim] = {};                             ///< number of cells along each axis
-  int first[Dim] = {};                             ///< number of the cell that comes first, counted from the origin
-  int parts = 1;                                   ///< edge along the other axes over that along the first
-  Real slack = 0;                                  ///< for rounding, added to squares of distances in edges
+  int first[Dim] = {};                             ///< coordinates of the first cell, counted from the origin
+  int parts = 1;                                   ///< edge along the other axes / edge along the first axis
+  Real slack = 0;                                  ///< for rounding, added to squared distances in edges
 
-  /// The number of cells.
+  /// Returns the number of cells.
   int size() const {
     int product = 1;
     for (int count : cells) product *= count;
     return product;
   }
-  /// Cell coordinate along one axis; positions outside give -1 or cells[axis] at any distance.
+  /// Returns the cell coordinate of a position along one axis. A position outside the grid, at any distance, gives -1
+  /// or cells[axis].
   SCREE_FN int coordinate(Vec<Dim, Real> const& x, int axis) const {
     Real const place = Kokkos::floor((x[axis] - origin[axis]) / edges[axis]) - Real(first[axis]);
     if (!(place >= 0)) return -1;
     return place < Real(cells[axis]) ? static_cast<int>(place) : cells[axis];
   }
-  /// Index of the cell that holds a position inside the grid.
+  /// Returns the index of the cell that contains a position inside the grid.
   SCREE_FN int index(Vec<Dim, Real> const& x) const {
     int result = 0;
     for (int axis = Dim - 1; axis >= 0; --axis) result = result * cells[axis] + coordinate(x, axis);
     return result;
   }
-  /// Centre of the cell that holds a position inside the grid; all adjacent cells lie within one edge of it.
+  /// Returns the centre of the cell that contains a position inside the grid. The distance from the centre to each
+  /// adjacent cell is less than one edge.
   SCREE_FN Vec<Dim, Real> centre(Vec<Dim, Real> const& x) const {
     Vec<Dim, Real> result = origin;
     for (int axis = 0; axis < Dim; ++axis)
       result[axis] += (Real(coordinate(x, axis) + first[axis]) + Real(0.5)) * edges[axis];
     return result;
   }
-  /// Calls f(first, last) for each run of cells along the first axis, both ends included, among the cells that hold
-  /// everything within one edge (of the other axes) of x.
+  /// Calls f(first, last) for runs of cells along the first axis, from `first` to `last`, both included. Together,
+  /// these cells contain all positions within one edge length (of the other axes) of x.
   template <class F>
   SCREE_FN void for_each_row_around(Vec<Dim, Real> const& x, F const& f) const {
     Real place[Dim];
@@ -68,7 +70,7 @@ struct Grid {
     }
     for (;;) {
       int row = 0;
-      Real left = 1 + slack;  // of the square of an edge
+      Real left = 1 + slack;  // what is left of the squared edge
       for (int axis = Dim - 1; axis > 0; --axis) {
         row = (row + at[axis]) * cells[axis - 1];
         left -= sq(gap(place[axis], at[axis]));
@@ -86,27 +88,27 @@ struct Grid {
   }
 
  private:
-  /// Distance of a coordinate from a cell along one axis, in edges.
+  /// Returns the distance of a coordinate from a cell along one axis, in edges.
   SCREE_FN static Real gap(Real place, int cell) {
     return Kokkos::max(Real(0), Kokkos::max(Real(cell) - place, place - Real(cell + 1)));
   }
 };
 
-/// The particles that a grid is made for: the box around them, m, and their number. Two grids of the same frame have
-/// the same cells, even if each covers other particles.
+/// The bounding box (m) and the number of the particles for which a grid is made. Two grids with the same frame have
+/// the same cells, even if they cover different particles.
 template <int Dim>
 struct Frame {
-  double low[Dim], high[Dim];  ///< low > high without particles
+  double low[Dim], high[Dim];  ///< low > high if there are no particles
   double count = 0;
 
-  /// A frame without particles.
+  /// Makes a frame without particles.
   Frame() {
     for (int axis = 0; axis < Dim; ++axis) {
       low[axis] = std::numeric_limits<double>::infinity();
       high[axis] = -low[axis];
     }
   }
-  /// Extends the frame to the particles of another one.
+  /// Extends the frame to include the particles of another frame.
   void add(Frame const& other) {
     for (int axis = 0; axis < Dim; ++axis) {
       low[axis] = std::min(low[axis], other.low[axis]);
@@ -118,7 +120,8 @@ struct Frame {
 
 namespace detail {
 
-/// Bounding box of the positions and the number of positions that are not finite.
+/// A function for reduce() that finds the bounding box of the positions and the number of coordinates that are not
+/// finite.
 template <class P>
 struct BoundingBox {
   static constexpr int dim = P::dim;
@@ -152,7 +155,8 @@ struct BoundingBox {
   }
 };
 
-/// Throws std::runtime_error for positions of which some coordinates are not finite, and names the first.
+/// Throws std::runtime_error for positions with coordinates that are not finite; the message names the first such
+/// position.
 template <class X>
 [[gnu::cold]] void refuse_positions(std::vector<X> const& all, int invalid) {
   auto const first = std::find_if(all.begin(), all.end(), [](auto const& each) { return !each.allFinite(); });
@@ -166,7 +170,7 @@ template <class X>
 
 }  // namespace detail
 
-/// The frame of the particles at some positions. Throws std::runtime_error if a position is not finite.
+/// Returns the frame of the particles at given positions. Throws std::runtime_error if a position is not finite.
 template <class P>
 Frame<P::dim> frame_of(Positions<P> const& x) {
   int const n = x.size();
@@ -179,8 +183,9 @@ Frame<P::dim> frame_of(Positions<P> const& x) {
   return frame;
 }
 
-/// A grid over the positions of `here` with the cells of a frame, of at least `edge` (m), divided into parts along the
-/// first axis. Cells grow where a few distant particles would otherwise need too many cells (more than 8 per particle).
+/// Returns a grid over the positions of `here` with the cells of `frame`. The edges of cells are at least `edge` (m),
+/// and cells are divided into `parts` along the first axis. Cells are enlarged if a few distant particles would
+/// otherwise need too many cells (more than 65536 plus 8 per particle).
 template <class P>
 Grid<P::dim, typename P::real> make_grid(Frame<P::dim> const& frame, Frame<P::dim> const& here, double edge,
                                          int parts = 1) {
@@ -207,7 +212,7 @@ Grid<P::dim, typename P::real> make_grid(Frame<P::dim> const& frame, Frame<P::di
     double const wide = part * (1 + 4 * rounding * (longest / part + 2));
     grid.edges[axis] = real(wide);
     grid.origin[axis] = real(frame.low[axis]);
-    // Only the cells that are needed here.
+    // The grid has only the cells that `here` needs.
     auto const cell = [&](double x) { return std::floor((real(x) - grid.origin[axis]) / grid.edges[axis]); };
     grid.first[axis] = static_cast<int>(cell(here.low[axis]));
     int const cells = static_cast<int>(std::floor((here.high[axis] - here.low[axis]) / wide)) + 2;
@@ -215,7 +220,7 @@ Grid<P::dim, typename P::real> make_grid(Frame<P::dim> const& frame, Frame<P::di
   }
   return grid;
 }
-/// A grid around some positions. Throws std::runtime_error if a position is not finite.
+/// Returns a grid around given positions. Throws std::runtime_error if a position is not finite.
 template <class P>
 Grid<P::dim, typename P::real> make_grid(Positions<P> const& x, double edge, int parts = 1) {
   auto const frame = frame_of<P>(x);

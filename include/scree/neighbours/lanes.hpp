@@ -7,14 +7,15 @@
 // How the threads of a GPU share the neighbours of a particle.
 namespace scree {
 
-/// The candidates of one target that one lane visits: every `lanes`-th one, starting at `lane`.
+/// The candidates of one target that one lane visits: every `lanes`-th candidate, starting with number `lane`.
 struct LaneRange {
   int lane = 0, lanes = 1;
 };
 
-/// Threads per target: a GPU with fewer targets than threads mostly waits for memory. In 3D rows are long, and four
-/// threads that read one row together need fewer cache lines than four rows do. Constants, not the device, set this
-/// number, so that the order of summation is the same on all GPUs.
+/// Returns the number of threads (lanes) per target; on a host it is 1. A GPU with fewer targets than threads would
+/// mostly wait for memory. In 3D, rows are long, and four threads that read one row together need fewer cache lines
+/// than four threads that read one row each. The number depends on constants and not on the device, so that the order
+/// of summation is the same on all GPUs.
 template <class P>
 int lanes_for(long targets) {
   constexpr int threads = 1 << 18, least = P::dim == 3 ? 4 : 1, most = 8;

@@ -17,31 +17,32 @@ using Positions = Array<P, Vec<P::dim, typename P::real> const>;
 template <class P>
 using PositionSpan = ArraySpan<P, Vec<P::dim, typename P::real> const>;
 
-/// Positions of the particles of one body; ghosts follow the owned particles.
+/// The positions of the particles of one body, in which ghosts follow the owned particles.
 template <class P>
 struct Places {
   Positions<P> all;
   int owned = 0;
-  /// The positions of the owned particles, without ghosts.
+  /// Returns the positions of the owned particles, without ghosts.
   Positions<P> targets() const { return all.part(0, owned); }
 };
 
 namespace detail {
-/// Represents "do something with candidate j".
+/// A stand-in for functions that are called with a candidate j.
 struct AnyVisitor {
   SCREE_FN void operator()(int) const {}
 };
 }  // namespace detail
 
-/// Finds, for targets, all sources within a radius.
+/// A search that finds, for targets, all sources within a radius.
 ///   N(radius)                 radius in m
-///   update(targets, sources)  call after positions changed; may do nothing while its data are still valid
-///   view()                    a handle for the device with a function for_each(i, x_i, f, range), which calls
-///                             f(j) once for each of a part of a superset of the sources within the radius of target
-///                             i, in an order that depends on the positions only. Where targets are sources, target i
-///                             is among them
-///   builds()                  how often the structure was rebuilt
-///   name                      optional: what snapshots call the search, as for a SmoothingKernel
+///   update(targets, sources)  updates the search after a change of positions; may do nothing while its data are valid
+///   view()                    returns a handle for the device with a function for_each(i, x_i, f, range), which calls
+///                             f(j) once for each candidate of target i in the part `range`. The candidates are a
+///                             superset of the sources within the radius, in an order that depends only on the
+///                             positions and on the order of the particles in memory. If the targets are the
+///                             sources, target i is one of its own candidates
+///   builds()                  returns how often the structure was rebuilt
+///   name                      optional: the name of the search in snapshots, as for a SmoothingKernel
 template <class N, class P>
 concept NeighbourSearch = std::constructible_from<N, double> &&
     requires(N search, N const& built, Positions<P> x, Vec<P::dim, typename P::real> xi, detail::AnyVisitor f,

@@ -16,10 +16,11 @@
 namespace scree {
 namespace detail {
 
-/// Largest displacement of the particles of some bodies. Their numbers continue from one body to the next.
+/// A function for reduce() that finds the largest displacement of the particles of several bodies. Particle numbers
+/// continue from one body to the next.
 template <class P>
 struct LargestDisplacement {
-  static constexpr int most = 4;  // bodies
+  static constexpr int most = 4;  // largest number of bodies
   using real = typename P::real;
   using value_type = real;
   PositionSpan<P> now[most], then[most];
@@ -44,53 +45,54 @@ struct LargestDisplacement {
   }
 };
 
-/// Thrown when lists were used after particles had moved too far: the caller that asked for rare checks must go back.
+/// The exception that is thrown if lists were used after particles had moved too far. The caller that requested rare
+/// checks must return to an earlier state.
 struct ListsOutrun {};
 
 }  // namespace detail
 
-/// Tells when neighbour lists with a skin must be rebuilt: lists of pairs within some bodies and between them. Stores
-/// the positions of the last build. It checks owned particles; ghosts move with them.
+/// A monitor that determines when neighbour lists with a skin, for pairs within and between bodies, must be rebuilt. A
+/// SkinWatch stores the positions of the last build. Only owned particles are checked, because ghosts move with them.
 ///
-/// A list is valid until a particle has moved by half the skin since the build. The watch measures displacements after
-/// every update. On a GPU each measurement costs a sweep over the particles and a synchronization, so a caller that can
-/// return to an earlier state may request rare checks. The interval to the next check is at most 256 updates; it is
-/// extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that move particles
-/// record the first update in which a particle moves too far (PositionGuard). If a list was used after that update,
-/// outrun() returns true at the next check, and the caller repeats its work with a check after every update. Rare
-/// checks do not change when lists are built: after the first update that moves a particle too far, or at a regular
-/// check that expects the end of the lists. See docs/neighbour_lists.md.
+/// A list is valid until a particle has moved by half the skin since the last build. By default, displacements are
+/// measured after every update. On a GPU, each measurement costs a loop over the particles and a synchronisation, so a
+/// caller that can return to an earlier state may request rare checks. The interval to the next check is at most 256
+/// updates; it is extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that
+/// move particles record the first update in which a particle moves too far (PositionGuard). If a list was used after
+/// that update, outrun() returns true at the next check, and the caller repeats its work with a check after every
+/// update. Rare checks do not change when lists are built: after the first update that moves a particle too far, or at
+/// a regular check that predicts that the lists will soon be invalid. See docs/neighbour_lists.md.
 template <class P>
 class SkinWatch {
  public:
-  using Now = std::vector<Places<P>> const&;  // of each body
+  using Now = std::vector<Places<P>> const&;  // the places of each body
   using vector = Vec<P::dim, typename P::real>;
   using Kept = Array<P, vector>;
   using Guard = detail::PositionGuard<P>;
 
-  /// Watches lists of a number of bodies with a skin, m.
+  /// Makes a monitor for the lists of a number of bodies, with a skin in m.
   SkinWatch(double skin, std::size_t bodies) : half_skin_(skin / 2), kept_(bodies) { forget_notes(); }
 
-  /// Whether crossed() measures displacements now.
+  /// Whether crossed() measures displacements at this update.
   bool looks_now() const { return !rare_looks_ || is_due(); }
-  /// The largest displacement of a particle over half the skin, 0 unless looks_now(); infinity without lists of these
-  /// numbers of particles.
+  /// Returns the largest displacement of a particle divided by half the skin, or 0 if looks_now() is false. Returns
+  /// infinity if there are no lists, or if the lists are for other numbers of particles.
   double crossed(Now now) const;
-  /// Whether the lists are valid if no particle has crossed() more than this. Call it once after each change of
-  /// positions, and where looks_now() ask for outrun() before.
+  /// Whether the lists are valid if `crossed` is the largest result of crossed(). Call this function once after each
+  /// change of positions and, if looks_now() is true, call outrun() first.
   bool serves(double crossed);
-  /// Call this when lists are built from these positions.
+  /// Stores the positions `now`. Call this function when lists are built from these positions.
   void keep(Now now);
-  /// The largest displacement of a particle since the last build, divided by half the skin.
+  /// Returns the largest displacement of a particle since the last build, divided by half the skin.
   double crossed_since(Now now) const;
 
   struct History {
     long updates = 0, last_look = 0, next_look = 1;  ///< counted from the last build
     double crossed_before = 0;                       ///< at the last check
-    static constexpr long rarest_look = 256;         // updates from a check to the next, at most
+    static constexpr long rarest_look = 256;         // most updates from one check to the next
   };
 
-  /// Whether rare checks are possible and not active yet.
+  /// Whether rare checks are possible but not yet active.
   bool may_look_rarely() const { return may_look_rarely_ && !rare_looks_; }
   /// Activates rare checks until the next build. Returns the history of the lists, for go_back().
   History look_rarely() {
@@ -102,40 +104,42 @@ class SkinWatch {
     rare_looks_ = false;
     forget_notes();
   }
-  /// Whether invalid lists have been used; call it after all kernels have ended.
+  /// Whether invalid lists have been used. Call this function after all kernels have ended.
   bool outrun() const { return rare_looks_ && *noted() <= history_.updates; }
-  /// Returns to the history that look_rarely() gave, when the steps since then are repeated.
+  /// Restores the history that look_rarely() returned, for a caller that repeats the steps since then.
   void go_back(History const& history);
-  /// The guard for the loops that move particles of a body.
+  /// Returns the guard for the loops that move particles of a body.
   Guard guard(std::size_t body) const {
     return {kept_[body].x, typename P::real(sq(half_skin_)), noted(), static_cast<int>(history_.updates + 1)};
   }
-  /// The positions of a body at the last build.
+  /// Returns the positions of a body at the last build.
   Kept const& kept(std::size_t body) const { return kept_[body].x; }
-  /// How often lists were built.
+  /// Returns how often lists were built.
   long builds() const { return builds_; }
 
-  /// The state that lists and their lifetime depend on. A run that continues from a snapshot needs it, because lists
-  /// built from the present positions would have another order of neighbours.
+  /// The state that determines the lists and their lifetime. A run that continues from a snapshot needs this state,
+  /// because lists built from the current positions would have a different order of neighbours.
   struct Memory {
-    /// The memory of a number of bodies.
+    /// Makes the state for a number of bodies.
     explicit Memory(std::size_t bodies) : kept(bodies), owned(bodies) {}
     std::vector<std::vector<vector>> kept;
     std::vector<int> owned;
     long builds = 0;
     History history;
   };
-  /// The state that lists and their lifetime depend on, for a snapshot.
+  /// Returns the state that determines the lists and their lifetime, for a snapshot.
   Memory memory() const;
-  /// Takes the state from a snapshot over.
+  /// Restores the state from a snapshot.
   void restore(typename P::space const& space, Memory const& memory);
 
  private:
   bool is_due() const { return history_.updates + 1 >= history_.next_look; }
-  // The number of ghosts changes from build to build; memory is kept, because freeing it waits for all instances.
+  // Memory is kept although the number of ghosts changes from build to build, because freeing it waits for all
+  // instances.
   static void copy(Kept& kept, Positions<P> const& x);
-  // `crossed`, which is 1 where the list ends, has grown by g over the last n updates. With constant acceleration from
-  // rest it grows by (k/n)^2 g in k updates, and so reaches 1 after k = n sqrt(1 + (1 - crossed)/g).
+  // `crossed`, which is 1 when the list becomes invalid, has grown by g in the n updates since the previous check. With
+  // constant acceleration from rest, it grows by (k/n)^2 g in k updates from that check, and so reaches 1 after k = n
+  // sqrt(1 + (1 - crossed)/g).
   bool about_to_end(double crossed);
 
   int volatile* noted() const { return reinterpret_cast<int volatile*>(note_.data()); }
@@ -146,10 +150,10 @@ class SkinWatch {
     Kept x;
     int owned = 0;
   };
-  std::vector<Built> kept_;  // of each body
+  std::vector<Built> kept_;  // the positions of each body at the last build
   long builds_ = 0;
   History history_;
-  bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists exist and were not outrun
+  bool rare_looks_ = false, may_look_rarely_ = false;  // the second: lists exist and were valid when used
   scree::Memory<Kokkos::SharedHostPinnedSpace> note_{"scree::note", sizeof(int)};
 };
 
@@ -179,7 +183,7 @@ void SkinWatch<P>::keep(Now now) {
     kept_[body].owned = now[body].owned;
   }
   ++builds_;
-  // A list rarely lives much shorter than its predecessor.
+  // The lifetime of a list is rarely much shorter than the lifetime of its predecessor.
   history_ = History{.next_look = std::clamp(history_.updates / 4, 1L, History::rarest_look)};
   look_always();
   may_look_rarely_ = true;

@@ -15,15 +15,15 @@
 namespace scree {
 namespace detail {
 
-/// Rows of a table of candidates. On a host the entries of a row are contiguous; on a GPU the entries that the lanes of
-/// a target read together are contiguous, followed by those of the next target, so that the reads of a warp coalesce.
-/// `OnDevice` is the type that counts all entries there: 32 bits are faster, because a loop over pairs has no register
-/// to spare.
+/// A table of candidates in rows. On a host, the entries of a row are contiguous. On a GPU, the entries that the lanes
+/// of a target read together are contiguous and are followed by the entries of the next target, so that the reads of a
+/// warp coalesce. `OnDevice` is the type of entry numbers on a GPU; 32 bits are faster, because a pair loop has no
+/// register to spare.
 template <class P, class OnDevice>
 struct Table {
   using Number = std::conditional_t<runs_on_host<P>, std::size_t, OnDevice>;
   int* entries = nullptr;
-  int rows = 0, capacity = 0;  // of each row
+  int rows = 0, capacity = 0;  // number of rows, and capacity of each row
   int lanes = 1;               // a power of two; divides `capacity`
 
   SCREE_LOOP_FN Number place(int row, int k) const {
@@ -34,18 +34,18 @@ struct Table {
   SCREE_LOOP_FN int& operator()(int row, int k) const { return entries[place(row, k)]; }
 };
 
-/// Candidates of targets, one row for each.
+/// The candidates of targets, with one row for each target.
 template <class P, class OnDevice>
 struct CandidateRows {
   static constexpr bool are_numbered = false;
   using Entries = Table<P, OnDevice>;
-  Span<int> lengths;  // of each target
+  Span<int> lengths;  // number of candidates of each target
   Entries table;
 
   SCREE_LOOP_FN int row_of(int target) const { return target; }
 };
-/// Candidates of targets, with rows only for targets that have some. This is a separate type because one more number
-/// per thread costs occupancy.
+/// The candidates of targets, with rows only for targets that have candidates. NumberedRows is a separate type because
+/// one more number per thread reduces occupancy.
 template <class P, class OnDevice>
 struct NumberedRows {
   static constexpr bool are_numbered = true;
@@ -53,12 +53,12 @@ struct NumberedRows {
   Span<int> lengths;
   Entries table;
   Span<int> numbers;
-  bool numbered = false;  // false: few targets, and each has a row
+  bool numbered = false;  // false: there are few targets, and each has a row
 
   SCREE_LOOP_FN int row_of(int target) const { return numbered ? numbers(target) : target; }
 };
 
-/// Writes a row from its beginning, contiguous entries together.
+/// A writer that fills a row from its beginning and stores contiguous entries together.
 template <class P, class Entries>
 class RowWriter {
  public:
@@ -70,7 +70,7 @@ class RowWriter {
     if (length_ < to_.capacity) to_(row_, length_) = j;
     ++length_;
   }
-  /// The number of entries, including those that did not fit.
+  /// Finishes the row. Returns the number of entries, including entries that did not fit.
   SCREE_FN int finish() {
     int const length = length_;
     if constexpr (!runs_on_host<P>)
@@ -85,7 +85,7 @@ class RowWriter {
     int entry[together];
   };
   SCREE_LOOP_FN void append_together(int j) {
-    // Shifted rather than indexed, so that they stay in registers.
+    // Entries are shifted rather than indexed, so that they stay in registers.
     for (int k = 0; k + 1 < together; ++k) last_.entry[k] = last_.entry[k + 1];
     last_.entry[together - 1] = j;
     if (++length_ % together == 0) write(length_ - together);
@@ -99,7 +99,7 @@ class RowWriter {
   Together last_ = {};
 };
 
-/// Fills rows as far as they have capacity, and counts the candidates of each target.
+/// A loop body that fills rows up to their capacity, and counts the candidates of each target.
 template <class P, class Rows>
 struct FillRows {
   PositionSpan<P> targets;
@@ -127,7 +127,7 @@ struct FillRows {
   }
 };
 
-/// Numbers the targets that have candidates.
+/// A function for running_sum() that numbers the targets that have candidates.
 template <class Rows>
 struct NumberRows {
   Rows of;
@@ -137,13 +137,13 @@ struct NumberRows {
   }
 };
 
-/// Base of lists of a body's own particles and of lists of another body's.
+/// The base of neighbour lists within one body and of neighbour lists between two bodies.
 template <class P, class Rows, class Order = ByIndex>
 class ListInRows {
  public:
   using Cells = CellList<P, Order>;
-  static constexpr double skin = 0.1;   // fraction of the radius
-  static constexpr int many = 1 << 14;  // targets
+  static constexpr double skin = 0.1;   // as a fraction of the radius
+  static constexpr int many = 1 << 14;  // least number of targets for numbered rows
 
   struct View : Rows {
     template <class F>
@@ -165,19 +165,19 @@ class ListInRows {
   View view() const { return view_; }
   long builds() const { return builds_; }
 
-  /// The radius of the cells (m) that lists of several bodies share, for a given search radius (m).
+  /// Returns the radius (m) of the cells that lists of several bodies share, for a given search radius (m).
   static double reach(double radius) { return (1 + skin) * radius; }
   /// Builds the list from given cells, for a caller that tracks the validity of the list itself.
   void build(Positions<P> const& targets, Positions<P> const& sources, typename CellList<P>::View const& cells);
 
  private:
   static Places<P> all_owned(Positions<P> const& x) { return {x, x.size()}; }
-  /// Numbers the targets that have rows, and returns how many they are.
+  /// Numbers the targets that have rows, and returns the number of rows.
   int number_rows(typename P::space const& space, int targets);
   /// Allocates `rows` rows of the given length, with some slack in the dimension that was too small.
   void reserve_rows(int targets, int rows, int length);
 
-  SkinWatch<P> watch_;  // targets and other sources
+  SkinWatch<P> watch_;  // of targets and other sources
   Cells cells_;
   long builds_ = 0;
   Array<P, int> lengths_, numbers_;
@@ -246,7 +246,7 @@ void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length)
                              "LargeReproducibleList");
   std::size_t const entries = std::size_t(table.rows) * std::size_t(table.capacity) * sizeof(int);
   if (entries_.size() < entries) {
-    entries_ = {};  // frees its memory for the new one
+    entries_ = {};  // frees the old memory before the new is allocated
     entries_ = Memory<memory_of<P>>("scree::verlet_rows", entries);
   }
   table.entries = reinterpret_cast<int*>(entries_.data());
@@ -254,32 +254,33 @@ void ListInRows<P, Rows, Order>::reserve_rows(int targets, int rows, int length)
 
 }  // namespace detail
 
-/// Stores the candidates within radius (1 + skin) of each target and keeps them until particles may have crossed the
-/// skin, see SkinWatch. OfOthers is the type for sources other than the targets, as walls are for the material: it has
-/// rows only for targets with candidates, unless there are so few targets that numbering them costs more than the
-/// memory. A GPU has room for 2^32 candidates of all targets together, which is some 28 million particles in 3D.
+/// A search that stores the candidates within a distance of radius (1 + skin) from each target and keeps them until
+/// particles may have crossed the skin; see SkinWatch. OfOthers is the type for sources other than the targets, such as
+/// wall particles as sources for the material. This type has rows only for targets with candidates, unless there are so
+/// few targets that numbering them costs more than it saves in memory. On a GPU, all targets together can have at most
+/// 2^32 candidates, which corresponds to some 28 million particles in 3D.
 template <class P>
 struct VerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>>;
 };
 
-/// VerletList with rows in an order that depends on the positions alone: results have the same bits however the
-/// particles are stored, sorted or divided among ranks (docs/distributed.md).
+/// A VerletList with rows in an order that depends only on the positions, so that results are bitwise identical however
+/// the particles are stored, sorted or divided among ranks (docs/distributed.md).
 template <class P>
 struct ReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint32_t>, ByPosition>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint32_t>, ByPosition>;
 };
 
-/// VerletList for more than 2^32 candidates on one GPU. On a CPU it is the same.
+/// A VerletList for more than 2^32 candidates on one GPU. On a CPU, it is identical to VerletList.
 template <class P>
 struct LargeVerletList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>>::ListInRows;
   using OfOthers = detail::ListInRows<P, detail::NumberedRows<P, std::uint64_t>>;
 };
 
-/// ReproducibleList for more than 2^32 candidates on one GPU. On a CPU it is the same.
+/// A ReproducibleList for more than 2^32 candidates on one GPU. On a CPU, it is identical to ReproducibleList.
 template <class P>
 struct LargeReproducibleList : detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition> {
   using detail::ListInRows<P, detail::CandidateRows<P, std::uint64_t>, ByPosition>::ListInRows;
