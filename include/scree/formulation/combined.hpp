@@ -137,7 +137,8 @@ struct Combined {
   }
   { return mechanics.template reaction_passes<Body>(resolution); }
 
-  /// Throws std::invalid_argument if a setting of a model or the period is out of range.
+  /// Throws std::invalid_argument if a setting of a model or the period is out of range, or if the densities of the
+  /// species have other ratios in the transport than in the mechanics.
   void check() const {
     check_settings_of(mechanics);
     check_settings_of(transport);

@@ -75,8 +75,8 @@ std::string text_of(Stage<Evolved, Passes, Projections> const& stage) {
 
 }  // namespace detail
 
-/// Returns a list of the passes of a time step of a physics model with an integrator, in order: the label of each pass,
-/// the body of its targets, the bodies of their neighbours, and the fields that the pass reads and writes. Labels
+/// Returns a text that lists the passes of a physics model in a time step of an integrator, in order: the label of each
+/// pass, the body of its targets, the bodies of their neighbours, and the fields that the pass reads and writes. Labels
 /// joined by a plus belong to passes that are computed in one sweep. An integrator may run some passes more than once
 /// in a step, and may update the state in the same sweep as the last pass before the update.
 template <class Integrator, class List = Bodies<Material, Wall>, class Physics>

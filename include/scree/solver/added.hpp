@@ -74,7 +74,7 @@ template <class P, class Body, class... Fs>
 using fields_not_given =
     Without<typename fields_to_give<P, Body, body_fields<P, Body>>::type, Fields<Fs..., Identity, Position, Volume>>;
 
-/// Reports, with one message, formulations with several evolving bodies, which cannot add or remove particles.
+/// Reports a formulation whose particles can be neither added nor removed, because several bodies evolve.
 template <class P>
 constexpr bool explain_population() {
   constexpr bool one = !several_evolve<P>;

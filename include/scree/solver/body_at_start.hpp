@@ -39,10 +39,10 @@ namespace scree::detail {
 template <class X>
 struct BodyAtStart {
   std::vector<X> points;                // m
-  std::vector<int> groups = {};         // of each particle; empty for plain points
-  std::vector<std::string> names = {};  // of the groups
-  bool is_share = false;                // other ranks have other particles
-  std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
+  std::vector<int> groups = {};         // group of each particle; empty for plain points
+  std::vector<std::string> names = {};  // names of the groups
+  bool is_share = false;                // whether other ranks have other particles
+  std::vector<RangeHere> ranges = {};   // ranges of identities, in the order of the points; empty: from 0
 };
 /// Whether a body can be made from points of a type; X is the point type of the formulation.
 template <class Points, class X>
@@ -139,7 +139,8 @@ inline constexpr bool are_of_body<ParticlesOf<Body, Points>> = true;
 template <class A, class B>
 inline constexpr bool are_particles = !are_of_body<A> && !are_of_body<B>;
 
-/// Returns the identities of a number of particles: those of the ranges, in order, or from 0 on if there are no ranges.
+/// Returns the identities of a number of particles: those of the ranges, in order, or counted from 0 if there are no
+/// ranges.
 [[gnu::cold]] std::vector<int> identities_at_start(std::size_t particles, std::vector<RangeHere> const& ranges);
 
 /// Gives a body its particles.

@@ -169,7 +169,7 @@ class BodyContact {
  private:
   /// The longest time step times the largest angular frequency of a body on its contacts: 42 steps per oscillation.
   static constexpr double of_vibration = 0.15;
-  /// Finds the surface of a body and stores its normals. Returns which particles are the outermost.
+  /// Finds the surface of a body and stores its normals and owners. Returns which particles are the outermost.
   template <class Sys, class Any>
   static std::vector<bool> find(Sys const& system, Any& body, std::vector<int> const& owners) {
     using namespace fields;
@@ -183,8 +183,8 @@ class BodyContact {
     return surface.outermost;
   }
   /// Sets the friction dashpot of each body from the angular frequency of the body on its contacts. Returns the largest
-  /// such frequency (rad/s), if half of the outermost particles of a body touch other bodies, which may move as fast
-  /// against it.
+  /// such frequency (rad/s), if half of the outermost particles of a body touch other bodies, which may move just as
+  /// fast in the opposite direction.
   double set_frequencies(typename P::space const& space, std::vector<Rigid<dim>> const& bodies,
                          std::vector<X> const& at_rest, std::vector<int> const& groups,
                          std::vector<bool> const& outermost) {

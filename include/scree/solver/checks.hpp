@@ -38,8 +38,8 @@ namespace scree::detail {
 /// pressure per unit of 0.001 spacings.
 inline constexpr double coarsest_unit = 1e-3;
 
-/// Returns the message for positions (m) that single precision resolves too coarsely at this distance (m) from the
-/// origin; "" if it resolves them.
+/// Returns a message if single precision is too coarse for positions at this distance (m) from the origin; otherwise
+/// "".
 [[gnu::cold]] std::string fault_of_precision(double farthest, double spacing);
 
 /// Throws an exception with the text of a fault unless the text is empty: std::invalid_argument before the first step,

@@ -39,9 +39,9 @@ auto const& law_of(Physics const& physics) {
 }
 }  // namespace detail
 
-/// A component that moves a group of the walls along a direction so that its pressure on the material follows a given
-/// pressure, like the plate of an oedometer or the lid of a shear cell. The `motion` of the formulation must be
-/// `Steered<dim>` or a `MotionOfGroups` with it, and `diagnostics` must contain WallForces.
+/// A component that moves a group of the walls along a direction so that the pressure of the group on the material
+/// follows a given function of time, like the plate of an oedometer or the lid of a shear cell. The `motion` of the
+/// formulation must be `Steered<dim>` or a `MotionOfGroups` with it, and `diagnostics` must contain WallForces.
 ///
 /// The material responds to a plate velocity v with the pressure $p = Z v + f$, where Z = rho c is the impedance of the
 /// material and f is the pressure of waves that arrive from within the material. A plate that follows $p = T - Z v$

@@ -25,8 +25,8 @@ template <class P, class Body>
 inline constexpr std::string_view name_among_evolving = evolving_bodies<P>::count > 1 ? std::string_view(Body::name)
                                                                                       : std::string_view();
 
-/// Runs an action of a step. If the action throws std::runtime_error, the likely cause is a value that is not finite,
-/// which is then reported instead.
+/// Runs an action of a step. If the action throws std::runtime_error, a value that is not finite is the likely cause;
+/// if there is one, it is reported instead.
 template <class P, class Action>
 auto or_name(SolverState<P> const& state, Action const& action) {
   try {
@@ -195,8 +195,8 @@ template <class P>
   state.paths_until = until, state.paths_due = state.clock.steps + 32;
 }
 
-/// Returns the largest distance (m), beyond rounding, between the particles of a body and their present positions by a
-/// motion.
+/// Returns the largest distance (m), beyond rounding, between the particles of a body and the positions that a motion
+/// gives them at present.
 template <class Body, class P>
 [[gnu::cold]] double misplaced(SolverState<P> const& state, typename P::motion const& motion) {
   using real = typename P::real;

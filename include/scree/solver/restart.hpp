@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Snapshots of the state of a solver, and restoring the state from them.
+// Saving the state of a solver in snapshots, and restoring it.
 namespace scree::detail {
 
 inline constexpr char const* next_look_name = "next look at step limits";

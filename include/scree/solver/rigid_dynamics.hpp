@@ -129,8 +129,8 @@ class RigidDynamics {
     detail::check_inside<dim>(centres, extents_, box.low, box.high, support);
   }
 
-  /// Prepares contact and springs. Must be called when all particles have their rest positions, and again when the rest
-  /// positions of walls change.
+  /// Prepares contact and springs. This function must be called when all particles have their rest positions, and again
+  /// when the rest positions of walls change.
   template <class Sys>
   void prepare(Sys& system, SolverSettings<P> const& settings) {
     system.whole_case().require_all_here();
@@ -147,7 +147,7 @@ class RigidDynamics {
     springs_.update(system.template body<RigidStates>());
   }
   /// Updates the rigid bodies by the forces from the last evaluation of the rates. `function` takes a list of evolving
-  /// fields and returns a function of one particle. The particles of the bodies follow with place().
+  /// fields and returns a function of one particle. place() then moves the particles of the bodies.
   template <class Sys, class Function>
   void advance(Sys& system, typename P::physics const& physics, Function const& function) const {
     auto const of_body = function(RigidEvolves{});
@@ -163,8 +163,8 @@ class RigidDynamics {
                                Update{of_body, gravity_on_bodies(physics), constants_});
     contact_.advance(system, function(StretchEvolves{}));
   }
-  /// Moves the particles of rigid bodies with their bodies, and rotates the surface normals of rigid bodies and, for a
-  /// time (s), of walls.
+  /// Moves the particles of rigid bodies with their bodies, and rotates the surface normals of rigid bodies and of
+  /// walls. `time` (s) applies to the walls.
   template <class Sys>
   void place(Sys& system, typename P::motion const& motion, double time) const {
     using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, scree::carried_fields<P, Body>>;

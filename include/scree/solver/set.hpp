@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// Changes of the state of a solver by the user.
+// Changes that the user makes to the state of a solver.
 namespace scree::detail {
 
 /// Sets a field of a body to the given values, one per particle.

@@ -39,7 +39,7 @@ struct ranks_of_case<P> {
 /// The input of a solver except its particles.
 template <class P>
 struct SolverSettings {
-  double spacing = 0;                        ///< initial distance of the particles, m
+  double spacing = 0;                        ///< initial distance between particles, m
   double smoothing = 1.5;                    ///< smoothing length / spacing, 1.1 to 3; walls have `2 * smoothing` rows
   typename P::physics physics = {};          ///< the physics model with its law and parameters
   typename P::motion motion = {};            ///< the prescribed motion of the walls
@@ -60,7 +60,7 @@ struct SolverSettings {
   /// The function that receives the text of each warning; a warning does not stop the run. An empty function discards
   /// all warnings.
   std::function<void(std::string const&)> warn = print_warning;
-  /// The ranks of the case, for a formulation whose case may have several (distributed/other_ranks.hpp).
+  /// The ranks of the case, for a formulation whose case may have several ranks (distributed/other_ranks.hpp).
   typename detail::ranks_of_case<P>::type ranks = {};
 
   /// Returns these settings. Throws std::invalid_argument if one is out of range.

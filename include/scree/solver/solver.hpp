@@ -23,8 +23,8 @@
 
 namespace scree {
 
-/// The solver of one formulation, which is made from particles, advances them in time, and saves and restores its
-/// state. The solver only combines parts that can be used on their own: passes, an integrator, a motion, components.
+/// A solver for one formulation. It is made from particles, advances them in time, and saves and restores its state.
+/// The solver only combines parts that can be used on their own: passes, an integrator, a motion, components.
 template <class P>
 class Solver {
   using Choices = detail::choices_of<P>;
@@ -39,7 +39,7 @@ class Solver {
   using Evolved = evolved_fields<typename P::physics::evolves>;
   using Observers = std::vector<Observer<Solver>>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
-  static constexpr bool has_stress = OneOf<Stress, material_fields<P>>;  // of the material
+  static constexpr bool has_stress = OneOf<Stress, material_fields<P>>;  // whether the material carries the stress
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
   static constexpr bool has_ranks = detail::DividesCase<typename P::template ghosts<Basis>>;
 
@@ -47,7 +47,7 @@ class Solver {
   /// positions (m) or named groups (fields/groups.hpp). Alternatively, each rank of a case gives its share of the
   /// particles (fields/shared_points.hpp); then all bodies must be given as shares. Every particle gets the volume
   /// spacing^dim; bodies that carry `group` get the numbers of their groups. Throws std::invalid_argument if the motion
-  /// is by group and does not have one of the groups.
+  /// is given by group and lacks one of the groups.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::are_particles<A, B>) Solver(Space const& space, SolverSettings<P> const& settings, A const& material,
                                                B const& wall = {}, detail::PointsFit<vector, A, B> = {})
@@ -130,19 +130,19 @@ class Solver {
   /// Returns the numbers of particles that were added to and removed from the material, on all ranks: the present
   /// number is the number at the start + added - removed.
   Turnover const& turnover() const { return state_.system.template turnover<Material>(); }
-  /// Returns the number of particles of the material, on all ranks, that are more than a support outside the box around
-  /// the walls and the positions given to the material. The box is open at the top and along periods. Returns zero
-  /// without walls, or if positions are prescribed.
+  /// Returns the number of particles of the evolving bodies, on all ranks, that are more than a support outside the box
+  /// around the walls and the positions given to the material. The box is open at the top and along periods. Returns
+  /// zero without walls, or if positions are prescribed.
   long lost() const {
     if constexpr (evolves_position) return detail::number_beyond(state_.system, state_.nothing_lost());
     return 0;
   }
 
-  /// Sets a field of a body to the values of a function at points, one per particle (on the host). The function must
-  /// return a value: an Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip
-  /// normals that SlipNormal::check_on_wall() refuses; for volumes that are not positive or that, during a run, fit the
-  /// distances between the particles worse than the old ones (see `start_checks`); and for identities that are negative
-  /// or not unique.
+  /// Sets a field of a body to the values of a function at the given points, one point per particle (on the host). The
+  /// function must return a value: an Eigen expression would outlive the values it refers to. Throws
+  /// std::invalid_argument for slip normals that SlipNormal::check_on_wall() refuses; for volumes that are not positive
+  /// or that, during a run, fit the distances between the particles worse than the old ones (see `start_checks`); and
+  /// for identities that are negative or not unique.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     using List = typename std::remove_cvref_t<decltype(body<Body>())>::fields;
@@ -169,18 +169,18 @@ class Solver {
   requires(!Field<Name>) void set(Name const&, Others const&...) {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
-  /// Replaces the motion of the walls. The new motion must give their present positions; their velocity may jump. Must
-  /// be called between steps, for example in Component::act(). Throws std::invalid_argument if a particle would jump;
-  /// after restore(), the next step throws instead. Snapshots do not contain the motion: the code that changes the
-  /// motion must also restore it.
+  /// Replaces the motion of the walls. The new motion must give the walls their present positions; the velocity may
+  /// jump. This function must be called between steps, for example in Component::act(). Throws std::invalid_argument if
+  /// a particle would jump; after restore(), the next step throws instead. Snapshots do not contain the motion: the
+  /// code that changes the motion must also restore it.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:
   ///   solver.add(points, given(fields::velocity, u), given(fields::concentration, [](auto const& x) { return ...; }));
   /// Each particle gets the volume spacing^dim unless a volume is given; all other fields that are not given are zero.
   /// Throws std::invalid_argument, and adds no particles, if the new particles overlap with others or with walls, or if
-  /// their distances or volumes do not fit the spacing (see `start_checks`). Must be called between steps, for example
-  /// in an observer. The rates are evaluated again.
+  /// their distances or volumes do not fit the spacing (see `start_checks`). This function must be called between
+  /// steps, for example in an observer. The rates are evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
     if constexpr (detail::explain_population<P>()) {
@@ -199,8 +199,8 @@ class Solver {
   }
   /// Removes the particles of the material for which `condition(i)` is true. The condition is a function of a particle
   /// that names the fields it needs in `reads`, like a term. Returns the given fields of the removed particles (on the
-  /// host), one entry for each. Must be called between steps. Throws std::invalid_argument if the `check()` of the
-  /// condition does, for instance for a plane without a normal or an empty block.
+  /// host), one entry per particle. This function must be called between steps. Throws std::invalid_argument if the
+  /// `check()` of the condition does, for instance for a plane without a normal or an empty block.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
     if constexpr (detail::explain_population<P>()) {
@@ -255,7 +255,7 @@ class Solver {
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
   /// Returns the volume and the number of particles that left through each drain.
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
-  /// Attaches a component (run/component.hpp), which takes part from the next step or run on. Throws
+  /// Attaches a component (run/component.hpp), which becomes active with the next step or run. Throws
   /// std::invalid_argument if the component is already attached.
   void attach(std::shared_ptr<Component<Solver>> component) {
     state_.busy.check_is_here();
@@ -263,7 +263,7 @@ class Solver {
     state_.limiters.push_back(std::move(component));
   }
 
-  /// Computes the rates of the present state with the passes that a step runs for this purpose.
+  /// Computes the rates of the present state by the same passes as a step.
   void update_rates() { detail::update_rates(state_, false); }
   /// Runs the passes `diagnostics` of the formulation, which are for output only.
   void update_diagnostics() {
@@ -310,11 +310,11 @@ class Solver {
   }
   /// Runs until the given time (s), or until `stop`, which is called after each step, returns true; calls each observer
   /// at its times. If `asks` is given, `stop` is called only after steps for which `asks` returns true; on a GPU this
-  /// saves a synchronization in each step. If the case has several ranks, a result of true on one rank holds for all
-  /// ranks, so that they stop after the same step. Throws std::invalid_argument for a time that is negative or NaN, for
-  /// an infinite time without `stop`, and if the steps have become so short that the run would not end. Throws
-  /// std::logic_error if the solver is already advancing, either on another thread or in a run whose observer makes
-  /// this call, and if the solver was moved from.
+  /// saves a synchronization in each step. If the case has several ranks and one of these functions returns true on one
+  /// rank, this holds for all ranks, so that all stop after the same step. Throws std::invalid_argument for a time that
+  /// is negative or NaN, for an infinite time without `stop`, and if the steps have become so short that the run would
+  /// not end. Throws std::logic_error if the solver is already advancing, either on another thread or in a run whose
+  /// observer makes this call, and if the solver was moved from.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
@@ -367,10 +367,10 @@ class Solver {
   /// gets the snapshot of the whole case.
   Snapshot snapshot() const { return detail::snapshot_with(components_, state_); }
   /// Sets the solver to the state of a snapshot. Throws std::runtime_error, and leaves the solver unchanged, if the
-  /// snapshot is of another formulation or number of particles, if the motion is by group and the groups differ, or if
-  /// the snapshot has other inlets, drains or components than the solver; these must be added to the solver before. The
-  /// next step throws std::invalid_argument if the motion would put the walls elsewhere. If the case has several ranks,
-  /// all ranks must restore the same snapshot, which may come from any number of ranks.
+  /// snapshot is of another formulation or number of particles, if the motion is given by group and the groups differ,
+  /// or if the snapshot has other inlets, drains or components than the solver; these must be added to the solver
+  /// before. The next step throws std::invalid_argument if the motion would put the walls elsewhere. If the case has
+  /// several ranks, all ranks must restore the same snapshot, which may come from any number of ranks.
   void restore(Snapshot const& snapshot) { detail::restore_with(components_, *this, state_, snapshot); }
 
  private:

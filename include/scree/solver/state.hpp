@@ -27,7 +27,7 @@ namespace scree::detail {
 struct Clock {
   double time = 0;  // s
   long steps = 0;
-  TimeStepControl control;  // of the time step
+  TimeStepControl control;  // control of the time step
 };
 
 /// The findings of a model about whether it is suited for the state.
@@ -115,7 +115,7 @@ struct SolverState {
   double paths_until = std::numeric_limits<double>::infinity();  // s, the motion was checked up to this time
   long paths_due = 0;                                            // the step of the next check of the motion
   long models_due = 1024;     // the step of the next check of the state by the models
-  std::vector<Doubt> doubts;  // of each model
+  std::vector<Doubt> doubts;  // findings of each model
   bool settings_checked = false;
   bool started = false;        // the start has been checked
   bool places_checked = true;  // bodies are at the positions of their motion

@@ -108,7 +108,8 @@ class Stepper {
     });
   }
   /// Advances some fields of each body that evolves by their rates times dt (s), in the order of the list. A rate that
-  /// is itself in the list is used after its own update. Like apply(), it moves no body that follows the motion.
+  /// is itself in the list is used after its own update. Like apply(), this function moves no body that follows the
+  /// motion.
   template <class Some>
   void add_rates(Some some, double dt) {
     apply(adding_rates(some, dt));
@@ -187,8 +188,8 @@ class Stepper {
     else
       return detail::holding<Carried>(function);
   }
-  /// Returns a function that takes the list of fields that evolve in a body, and returns the update that adds their
-  /// rates times dt (s), for the fields that evolve together with the fields `Some` of the material.
+  /// Returns a function that takes the list of evolving fields of a body and returns an update. The update adds the
+  /// rates times dt (s) of those fields that evolve together with the fields `Some` of the material.
   template <class Some>
   static auto adding_rates(Some, double dt) {
     return
@@ -242,7 +243,7 @@ class Stepper {
   void filter() {
     using Filters = decltype(detail::filters_of(physics(), resolution()));
     if constexpr (!std::is_same_v<Filters, detail::Tuple<>>) {
-      // The phase follows from the step count, which checkpoints contain.
+      // The phase follows from the number of steps, which snapshots contain.
       if (steps() % every_so_many(physics().filter_period()) != 0) return;
       ProfilingRegion const region("scree::filters");
       run_passes(state_.system, detail::filters_of(physics(), resolution()));
