@@ -88,9 +88,9 @@ inline constexpr std::size_t number_of_stages =
 /// The constructor takes the models in the order of this list. Each body has the law, fields and stages of its model.
 /// Stages with the same number run together: the rates of all bodies are evaluated before any body is updated. A
 /// particle also sums over neighbours in the other bodies, with the interface terms of its model. The function
-/// interface_terms(other, resolution) returns them as a tuple, where `other` is the model of the other body. Each pass
-/// uses those interface terms that add to the fields that the pass sums over its own body. Filters act within each
-/// body.
+/// interface_terms(other, resolution) returns these terms as a tuple, where `other` is the model of the other body.
+/// Each pass uses those interface terms that add to the fields that the pass sums over its own body. Filters act within
+/// each body.
 template <class... Parts>
 class PhysicsOfBodies {
   static constexpr std::size_t number = std::min({detail::number_of_stages<typename Parts::type>...});

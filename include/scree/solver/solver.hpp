@@ -265,7 +265,7 @@ class Solver {
 
   /// Computes the rates of the present state by the same passes as a step.
   void update_rates() { detail::update_rates(state_, false); }
-  /// Runs the passes `diagnostics` of the formulation, which are for output only.
+  /// Runs the passes of the `diagnostics` of the formulation, which are for output only.
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
@@ -287,9 +287,9 @@ class Solver {
   /// limits of the time step, at least every 256 steps. The check takes one sweep over the particles.
   void check_validity() const { detail::limits_now(state_); }
   /// Runs the checks of the next step: of settings, positions, fields, walls and the limits of the time step. Throws as
-  /// that step would. Starts the components, and runs those that are due, for example inlets. Can be called before a
-  /// run to find errors before anything irreversible is done, for instance before earlier results are replaced. The run
-  /// makes the same checks again, and its results do not change.
+  /// that step would. Starts the components, and runs those that are due, for example inlets. This function may be
+  /// called before a run to find errors before anything irreversible is done, for instance before earlier results are
+  /// replaced. The run makes the same checks again, and its results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return detail::check_step(state_);
@@ -369,8 +369,8 @@ class Solver {
   /// Sets the solver to the state of a snapshot. Throws std::runtime_error, and leaves the solver unchanged, if the
   /// snapshot is of another formulation or number of particles, if the motion is given by group and the groups differ,
   /// or if the snapshot has other inlets, drains or components than the solver; these must be added to the solver
-  /// before. The next step throws std::invalid_argument if the motion would put the walls elsewhere. If the case has
-  /// several ranks, all ranks must restore the same snapshot, which may come from any number of ranks.
+  /// before this call. The next step throws std::invalid_argument if the motion would put the walls elsewhere. If the
+  /// case has several ranks, all ranks must restore the same snapshot, which may come from any number of ranks.
   void restore(Snapshot const& snapshot) { detail::restore_with(components_, *this, state_, snapshot); }
 
  private:
