@@ -114,8 +114,8 @@ struct SolverState {
   std::string note_on_steps;
   double paths_until = std::numeric_limits<double>::infinity();  // s, the motion was checked up to this time
   long paths_due = 0;                                            // the step of the next check of the motion
-  long models_due = 1024;     // the step of the next check by the models
-  std::vector<Doubt> doubts;  // findings of each model
+  long models_due = 1024;                                        // the step of the next check by the models
+  std::vector<Doubt> doubts;                                     // findings of each model
   bool settings_checked = false;
   bool started = false;        // the start has been checked
   bool places_checked = true;  // bodies are at the positions of their motion
