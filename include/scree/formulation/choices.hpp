@@ -6,8 +6,8 @@
 
 namespace scree::detail {
 
-/// The formulation of given choices, without a name of its own. Solvers of all formulations that choose the same share
-/// their code, and the library scree::compiled has that of the default choices (granular/solvers.hpp).
+/// A nameless formulation with the given choices. Solvers of all formulations with the same choices share their code;
+/// the library scree::compiled contains the code for the default choices (granular/solvers.hpp).
 template <class Basis, class Search, class Ghosts, class Integrator, class AllBodies, class Motion, class Diagnostics,
           class Carries, class Physics>
 struct Choices {

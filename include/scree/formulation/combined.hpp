@@ -35,19 +35,20 @@ inline constexpr bool has_filters =
 
 }  // namespace detail
 
-/// Mechanics and a transport of something with the material, such as a concentration or heat. Both evolve fields of the
-/// same particles, and each reads fields of the other where it names them. Further models nest:
-/// Combined<Combined<Granular<>, Segregation>, Heat>.
+/// A mechanics model and a model that transports a quantity with the material, such as a concentration or heat. Both
+/// evolve fields of the same particles, and each may read fields of the other by naming them. Further models are added
+/// by nesting: Combined<Combined<Granular<>, Segregation>, Heat>.
 ///
-/// `Transport` is a class like `Mechanics`, with the functions of a physics model. If it has a function
-/// passes_with(mechanics, resolution), this function replaces its `passes`: it leaves out passes of the mechanics, and
-/// takes common settings such as gravity from it.
+/// `Transport`, like `Mechanics`, is a class with the functions of a physics model. If it has a function
+/// passes_with(mechanics, resolution), this function replaces its `passes`: it omits passes that belong to the
+/// mechanics, and takes common settings such as gravity from the mechanics.
 template <class Mechanics, class Transport>
 struct Combined {
   Mechanics mechanics = {};
   Transport transport = {};
-  /// Steps from one evaluation of the transport to the next, 1 or more; its rate is constant in between. The speed of
-  /// sound limits the steps; the transported field changes with the flow, thousands of times more slowly.
+  /// The number of steps from one evaluation of the transport to the next, 1 or more; the transport rate is constant in
+  /// between. The speed of sound limits the time step, whereas the transported field changes with the flow, thousands
+  /// of times more slowly.
   int period = 1;
 
   static_assert(!detail::has_filters<Transport>, "only the mechanics of Combined may have filters");
@@ -61,9 +62,10 @@ struct Combined {
   static_assert(detail::explain_carried_momentum<Mechanics, Transport>());
   using evolves = Merge<typename Mechanics::evolves, typename Transport::evolves>;
 
-  /// The passes that compute the rates of both models, those of the mechanics first; of a transport that carries
-  /// momentum, after the first stage of the mechanics, because the acceleration reads the carried momentum. The
-  /// transport has passes only in every `period`-th step.
+  /// Returns the passes that compute the rates of both models, those of the mechanics first. The passes of a transport
+  /// that carries momentum follow the first stage of the mechanics, because the acceleration reads the carried
+  /// momentum. The passes of the transport run only in every `period`-th step, and whenever all rates are computed
+  /// afresh.
   auto passes(Resolution const& resolution) const {
     if constexpr (species_with_densities < Mechanics >> 0 && detail::CarriesMass<Transport>) {
       auto const between = [&](auto const& first, auto const&... others) {
@@ -75,8 +77,8 @@ struct Combined {
       return detail::in_a_row(detail::rates_of(mechanics, resolution), transport_passes(resolution));
     }
   }
-  /// The transported fields are updated in the first stage of the mechanics. Their rates use results of later passes
-  /// from the previous step.
+  /// Returns the stages of the mechanics, the first of which also updates the transported fields. The rates of these
+  /// fields use results that later passes stored in the previous step.
   auto stages(Resolution const& resolution) const requires detail::HasStages<Mechanics> {
     auto const with_transport = [&](auto const& first, auto const&... others) {
       using First = std::remove_cvref_t<decltype(first)>;
@@ -87,12 +89,12 @@ struct Combined {
     };
     return detail::with_values(with_transport, mechanics.stages(resolution));
   }
-  /// The projections of the mechanics, then those of the transport.
+  /// Returns the projections of the mechanics, followed by the projections of the transport.
   auto projections(Resolution const& resolution) const {
     return detail::in_a_row(detail::projections_of(mechanics, resolution),
                             detail::projections_of(transport, resolution));
   }
-  /// The filters of the mechanics; an empty tuple if it has none.
+  /// Returns the filters of the mechanics, or an empty tuple if it has none.
   auto filters(Resolution const& resolution) const { return detail::filters_of(mechanics, resolution); }
   /// Throws std::invalid_argument if the mechanics refuses a bed of this depth (m), see Granular::check_depth().
   void check_depth(double depth) const requires requires(Mechanics const& each) { each.check_depth(depth); }
@@ -102,7 +104,7 @@ struct Combined {
     each.warning_of_depth(depth);
   }
   { return mechanics.warning_of_depth(depth); }
-  /// The warnings of both models, a line each; empty if there are none.
+  /// Returns the warnings of both models, one per line; empty if there are none.
   std::string warning() const {
     return in_lines([](auto const& model) {
       if constexpr (requires { model.warning(); })
@@ -111,40 +113,43 @@ struct Combined {
         return std::string();
     });
   }
-  /// The warnings of both models about the state that a body (WholeBody) has come to, each empty if there is none.
+  /// Returns the warnings of both models about the present state of a body (WholeBody). A warning is empty if it does
+  /// not apply.
   template <class Whole>
   std::vector<std::string> warnings_of_state(Whole const& body) const {
     auto both = scree::warnings_of_state(mechanics, body);
     for (auto& text : scree::warnings_of_state(transport, body)) both.push_back(std::move(text));
     return both;
   }
-  /// The largest speed of grains that enter, m/s, as the mechanics allows it.
+  /// Returns the largest speed of entering grains that the mechanics allows, m/s.
   double fastest_inlet() const requires requires(Mechanics const& each) { each.fastest_inlet(); }
   { return mechanics.fastest_inlet(); }
-  /// The largest speed of full layers of rain that gives no warning next to rough walls, m/s, from the mechanics.
+  /// Returns the largest speed, m/s, at which the mechanics gives no warning of full layers of rain next to rough
+  /// walls.
   double fastest_rain() const requires requires(Mechanics const& each) { each.fastest_rain(); }
   { return mechanics.fastest_rain(); }
-  /// The step over h/c_s that the mechanics is set to.
+  /// Returns the acoustic CFL number set in the mechanics: the time step over h/c_s.
   double acoustic_cfl() const requires requires(Mechanics const& each) { each.acoustic_cfl(); }
   { return mechanics.acoustic_cfl(); }
-  /// Steps from one run of the filters to the next; 1 if there are none.
+  /// Returns the number of steps from one run of the filters to the next; 1 if there are no filters.
   int filter_period() const {
     if constexpr (detail::has_filters<Mechanics>)
       return mechanics.filter_period();
     else
       return 1;
   }
-  /// The passes of the mechanics that compute `wall_force` for the present state; for output.
+  /// Returns the passes of the mechanics that compute `wall_force` for the present state, for output.
   auto wall_force_passes(Resolution const& resolution) const { return mechanics.wall_force_passes(resolution); }
-  /// The passes of the mechanics that compute `wall_force` of a body from rates of the present state.
+  /// Returns the passes of the mechanics that compute `wall_force` of a body from rates of the present state.
   template <BodyTag Body>
   auto reaction_passes(Resolution const& resolution) const requires requires(Mechanics const& of_motion) {
     of_motion.template reaction_passes<Body>(resolution);
   }
   { return mechanics.template reaction_passes<Body>(resolution); }
 
-  /// Throws std::invalid_argument if a setting of a model or the period is out of range, or if the closure has grains
-  /// of a lower density than the bed.
+  /// Throws std::invalid_argument if a setting of a model or the period is out of range, if the densities of the species
+  /// have other ratios in the transport than in the mechanics, or if the closure has grains of a lower density than the
+  /// bed.
   void check() const {
     check_settings_of(mechanics);
     check_settings_of(transport);
@@ -154,20 +159,20 @@ struct Combined {
     if constexpr (detail::KnowBedAndGrains<Mechanics, Transport>)
       detail::check_density_of_bed(mechanics.law.density(), transport.closure.grain_density, "the closure");
   }
-  /// The limits of the step of both models. A limit of the transport covers `period` steps. Throws as the limits of the
-  /// two models do.
+  /// Returns the time step limits of both models. A limit of the transport covers `period` steps. Throws as the limits
+  /// of the two models do.
   auto limits(Resolution const& resolution) const {
     auto const over_period = [n = period](auto const&... each) { return detail::Tuple(each.over(n)...); };
     return detail::in_a_row(mechanics.limits(resolution),
                             detail::with_values(over_period, transport.limits(resolution)));
   }
-  /// The bounds on the state of both models, those of the mechanics first.
+  /// Returns the bounds on the state of both models, those of the mechanics first.
   auto validity(Resolution const& resolution) const {
     return detail::in_a_row(validity_of(mechanics, resolution), validity_of(transport, resolution));
   }
 
  private:
-  /// The texts of a function of both models, a line each.
+  /// Returns the texts that a function returns for the two models, one per line.
   template <class Text>
   std::string in_lines(Text const& text_of) const {
     std::string const first = text_of(mechanics), second = text_of(transport);
@@ -188,7 +193,7 @@ struct Combined {
   }
 };
 
-/// Returns the combination of a mechanics and a transport, whose rate is evaluated every `period` steps.
+/// Returns the combination of a mechanics model and a transport model that is evaluated every `period` steps.
 template <class Mechanics, class Transport>
 Combined<Mechanics, Transport> combine(Mechanics const& mechanics, Transport const& transport, int period = 1) {
   return {mechanics, transport, period};

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-// Prints a step: its passes in order, with the fields that they read and write.
+// Describes a time step as text: its passes in order, with the fields that they read and write.
 namespace scree {
 namespace detail {
 
@@ -75,10 +75,10 @@ std::string text_of(Stage<Evolved, Passes, Projections> const& stage) {
 
 }  // namespace detail
 
-/// The passes of a step of a physics model for an integrator, in order: the name of each, the body of its targets and
-/// those of their neighbours, and the fields that it reads and writes. Names joined by a plus are passes that are
-/// computed in one sweep. An integrator may run a part more than once in a step, and may update the state in the sweep
-/// of the last pass before.
+/// Returns a text that lists the passes of a physics model in a time step of an integrator, in order: the label of each
+/// pass, the body of its targets, the bodies of their neighbours, and the fields that the pass reads and writes. Labels
+/// joined by a plus belong to passes that are computed in one sweep. An integrator may run some passes more than once
+/// in a step, and may update the state in the same sweep as the last pass before the update.
 template <class Integrator, class List = Bodies<Material, Wall>, class Physics>
 std::string describe(Physics const& physics, Resolution const& resolution) {
   std::string text;
@@ -96,7 +96,7 @@ std::string describe(Physics const& physics, Resolution const& resolution) {
         detail::filters_of(physics, resolution));
   return text;
 }
-/// The passes of a step of a solver, in order, as text (see above).
+/// Returns the passes of a time step of a solver, in order, as the other describe() does.
 template <class S>
 std::string describe(S const& solver) {
   using P = typename S::policy;

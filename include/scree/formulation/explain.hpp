@@ -11,11 +11,11 @@
 #include <string_view>
 #include <type_traits>
 
-// Compile-time messages for mistakes in a formulation. Each check runs only if the earlier ones have passed, so that a
-// mistake has one message.
+// Compile-time messages for mistakes in a formulation. Each check runs only if the earlier ones have passed, so that
+// each mistake gives one message.
 namespace scree::detail {
 
-/// Whether a class has the choices of a formulation that are types, and those that are templates.
+/// Whether a class has the choices of a formulation that are values or types; HasTemplates checks the templates.
 template <class P>
 concept HasChoices = requires {
   P::dim;
@@ -62,7 +62,7 @@ constexpr bool explain_choices() {
   return false;
 }
 
-/// Types that users give as physics by mistake.
+/// Whether a type given as physics by mistake looks like a law; the two concepts below detect models and integrators.
 template <class T>
 concept LooksLikeLaw = requires {
   typename T::reads;
@@ -103,7 +103,7 @@ constexpr bool explain_physics() {
     return false;
   }
 }
-/// An optional function with other parameters than those that it is called with would be ignored.
+/// Reports optional functions of a physics model that cannot be called as intended; they would otherwise be ignored.
 template <class Physics>
 constexpr bool explain_options() {
   static_assert(GivesFilters<Physics> || !(HasMemberFilters<Physics> || HasMemberFilterPeriod<Physics>),
@@ -117,7 +117,7 @@ constexpr bool explain_options() {
                 "passes");
   return true;
 }
-/// One message for each mistake in the models of PhysicsOfBodies, which physics_of_bodies.hpp defines.
+/// A check with one message for each mistake in the models of PhysicsOfBodies, defined in physics_of_bodies.hpp.
 template <class Physics>
 struct ExplainModels;
 template <class Physics>
@@ -174,13 +174,13 @@ template <class List, class Motion>
 inline constexpr bool moves_rigid = false;
 template <class List, class... Parts>
 inline constexpr bool moves_rigid<List, MotionOfBodies<Parts...>> = (RigidTag<typename Parts::body> || ...);
-/// Whether a physics model advances each of these bodies: a single one, or those of PhysicsOfBodies.
+/// Whether a physics model advances each body of a list: a single body, or the bodies of PhysicsOfBodies.
 template <class Physics, class Evolving>
 inline constexpr bool has_model_of_each = Evolving::count < 2;
 template <class... Parts, class... Bs>
 inline constexpr bool has_model_of_each<PhysicsOfBodies<Parts...>, Bodies<Bs...>> =
     sizeof...(Parts) == sizeof...(Bs) && (is_listed<Bs, Bodies<typename Parts::body...>> && ...);
-/// One message for each choice that needs a single body that evolves.
+/// Reports each choice that requires a single evolving body.
 template <class P>
 constexpr bool explain_several() {
   constexpr bool rigid = several_evolve<P> && has_rigid_bodies<typename P::bodies>,
@@ -212,7 +212,7 @@ constexpr bool explain_bodies() {
   return evolves && has_models && one_may && differ && has_moved && !moves_rigid<List, Motion> && one_is_rigid;
 }
 
-/// Whether a motion is for another dimension; its functions would not compile.
+/// Whether a motion has another dimension than the formulation, so that its functions would not compile.
 template <class M, int Dim>
 inline constexpr bool has_another_dimension = false;
 template <class M, int Dim>
@@ -255,7 +255,7 @@ constexpr bool explain_measures() {
   return are_numbers;
 }
 
-/// One message for each missing part of a formulation.
+/// Checks a formulation at compile time, with one message for each missing part.
 template <class P>
 constexpr bool explain_formulation() {
   if constexpr (!explain_choices<P>()) {

@@ -10,7 +10,7 @@
 // Compile-time messages for values that do not fit the particles.
 namespace scree::detail {
 
-/// A vector or matrix, which Eigen would convert to one of any size.
+/// Whether a type is an Eigen vector or matrix, which Eigen would convert to any other size.
 template <class T>
 concept IsMatrix = std::is_base_of_v<Eigen::EigenBase<T>, T>;
 template <class A, class B>
@@ -18,7 +18,7 @@ inline constexpr bool is_alike = std::is_same_v<typename A::Scalar, typename B::
                                  (int(A::SizeAtCompileTime) == Eigen::Dynamic ||
                                   (int(A::SizeAtCompileTime) == int(B::SizeAtCompileTime) &&
                                    bool(A::IsVectorAtCompileTime) == bool(B::IsVectorAtCompileTime)));
-/// Whether a value can be stored as one of a field.
+/// Whether a value can be stored as a value of a field.
 template <class Value, class Stored>
 constexpr bool can_be_stored() {
   if constexpr (IsMatrix<Value> && IsMatrix<Stored>)
@@ -27,8 +27,8 @@ constexpr bool can_be_stored() {
     return std::is_convertible_v<Value, Stored>;
 }
 
-/// Whether set() can set a field of a body, whose fields are in a list, to the result of a function of points. If not,
-/// the compiler says why.
+/// Whether set() can set a field of a body to the results of a function of points; `List` contains the fields of the
+/// body. If not, the compiler prints the reason.
 template <class P, class Body, class F, class List, class X, class Function>
 constexpr bool explain_set() {
   static_assert(OneOf<F, List>,
@@ -63,8 +63,8 @@ constexpr bool explain_set() {
   return false;
 }
 
-/// Whether the value that is given to added particles is one of a field, or a function of the point (m) that returns
-/// it.
+/// Whether the value given for a field of added particles is a value of this field, or a function of the point (m) that
+/// returns one.
 template <class P, class F, class X, class Value>
 constexpr bool explain_given() {
   constexpr bool is_value = can_be_stored<Value, value_t<P, F>>();

@@ -27,14 +27,14 @@
 
 namespace scree {
 
-/// No passes other than those of the physics model.
+/// Diagnostics without passes.
 struct NoDiagnostics {
   /// Returns no passes.
   std::tuple<> passes(Resolution const&) const { return {}; }
 };
 
-/// Every choice of a solver has a name and a default. A formulation is a class that derives from this one, names its
-/// `physics` and overrides any defaults.
+/// The choices of a solver, each with a name and a default. A formulation is a class that derives from this one, names
+/// its `physics` and overrides defaults as needed.
 template <int Dim, class Real = double>
 struct Formulation {
   static_assert(Dim == 2 || Dim == 3, "scree works in two or three dimensions");
@@ -48,21 +48,22 @@ struct Formulation {
   template <class P>
   using ghosts = PeriodicImages<P>;  ///< the provider of particles beyond the boundaries of the domain
   using integrator = Midpoint;
-  using bodies = Bodies<Material, Wall>;  ///< those that evolve, mostly one, and any number that follow the motion
+  using bodies = Bodies<Material, Wall>;  ///< bodies that evolve, usually one, and any number that follow the motion
   using motion = AtRest;
   using diagnostics = NoDiagnostics;  ///< passes that run for output only
-  using carries = Fields<>;           ///< fields of both bodies that no pass needs, for output
+  using carries = Fields<>;           ///< fields that no pass needs, carried by the bodies for output
 };
 
-/// A physics model, as a value:
+/// Whether a class has the passes of a physics model. The members of a physics model are:
 ///   evolves           fields that the integrator advances; each names its rate
 ///   passes(resolution)  the passes that compute the rates from the state, a tuple
-///   limits(resolution)  the limits of the step, a tuple, see passes/limit.hpp
-/// and, where it needs them,
+///   limits(resolution)  the limits of the time step, a tuple, see passes/limit.hpp
+/// and, optionally,
 ///   projections(resolution)  passes that return an updated state to the admissible set (return mapping)
 ///   filters(resolution)      passes that run at the end of every filter_period()-th step
-/// For staggered integrators it has stages(resolution), the passes and projections as a tuple of Stage by the rates
-/// that they compute. `passes` and `projections` then follow from the stages, see rate_passes().
+/// For staggered integrators, a physics model has stages(resolution): a tuple of Stage, which groups the passes and
+/// projections by the rates that they compute. `passes` and `projections` then follow from the stages, see
+/// rate_passes().
 template <class Physics>
 concept HasPasses = GivesPasses<Physics> || detail::HasStages<Physics>;
 
@@ -71,20 +72,21 @@ template <class List, class Others>
 inline constexpr bool are_among = std::is_same_v<Without<List, Others>, Fields<>>;
 }  // namespace detail
 
-/// A time integrator, as a type:
-///   fields<Evolved>                   fields that it needs for a list of evolved ones, these included
-///   advance(solver, longest)          static: one step of at most `longest` (s); returns its length
-///   staggered                         optional, true: it updates the stages of the physics model one after another
-///   largest_cfl                       optional: the largest step over h/c_s of granular mechanics
-///   name                              optional: what messages call the integrator (integrators/largest_cfl.hpp)
-/// It uses the functions of Stepper.
+/// Whether a type is a time integrator. The members of a time integrator are:
+///   fields<Evolved>                   all fields needed to advance a list of fields, including these
+///   advance(solver, longest)          static: takes one step of at most `longest` (s); returns its length
+///   staggered                         optional: if true, updates the stages of the physics model one after another
+///   largest_cfl                       optional: the largest time step over h/c_s for granular mechanics
+///   name                              optional: the name of the integrator in messages (integrators/largest_cfl.hpp)
+/// A time integrator uses the functions of Stepper.
 template <class I, class Evolved>
 concept TimeIntegrator = requires {
   typename I::template fields<Evolved>;
 }
 &&detail::are_among<evolved_fields<Evolved>, typename I::template fields<Evolved>>;
 
-/// Passes that run for output only, as a value: passes(resolution) or passes(resolution, physics), a tuple.
+/// Whether a class has passes that run for output only: a function passes(resolution) or passes(resolution, physics),
+/// which returns a tuple.
 template <class D, class Physics>
 concept DiagnosticPasses = requires(D const& diagnostics, Physics const& physics) {
   requires requires { std::tuple_size<decltype(diagnostics.passes(Resolution{}))>::value; } || requires {
@@ -114,7 +116,7 @@ inline constexpr bool all_move<P, Bodies<Bs...>> = (PrescribedMotion<body_motion
                                                     ...);
 }  // namespace detail
 
-/// A formulation whose physics, kernel and motions fit.
+/// Whether a formulation has a physics model, a kernel and motions that meet their concepts.
 template <class P>
 concept ValidFormulation = detail::NamesPhysics<P> && HasPasses<typename P::physics> &&
     SmoothingKernel<typename P::kernel> && detail::all_move<P, typename P::bodies>;
@@ -132,7 +134,7 @@ auto filters_of(Physics const& physics, Resolution const& resolution) {
   else
     return Tuple<>();
 }
-/// Diagnostics may receive the physics model, so that they need no settings of their own.
+/// Returns the passes of diagnostics, which may receive the physics model so that they need no settings of their own.
 template <class Diagnostics, class Physics>
 auto diagnostic_passes(Diagnostics const& diagnostics, Resolution const& resolution, Physics const& physics) {
   if constexpr (requires { diagnostics.passes(resolution); })
@@ -151,13 +153,13 @@ using all_passes_of = row_type<decltype(rates_of(std::declval<Physics const&>(),
                                decltype(filters_of(std::declval<Physics const&>(), Resolution{}))>;
 }  // namespace detail
 
-/// Fields of a body that passes of a formulation store.
+/// The fields of a body that the passes of a formulation write.
 template <class P, class Body>
 using written_fields = Merge<fields_written_by<Body, detail::all_passes_of<typename P::physics>>,
                              fields_written_by<Body, detail::staged_passes_of<P>>,
                              fields_written_by<Body, detail::diagnostic_passes_of<P>>>;
 
-/// The fields of each body of a formulation: those that its passes name and its integrator needs.
+/// The fields of a body that the passes of a formulation name, with the identity, position and volume.
 template <class P, class Body>
 using body_fields =
     Merge<Fields<Identity, Position, Volume>, fields_of_passes<Body, detail::all_passes_of<typename P::physics>>,
@@ -166,7 +168,7 @@ using body_fields =
 namespace detail {
 template <class P>
 inline constexpr bool evolves_position = OneOf<Position, evolved_fields<typename P::physics::evolves>>;
-/// Fields of a body that decide how the motion moves it.
+/// The fields of a body that determine how the motion moves it.
 template <class P, class Body>
 using fields_to_move = std::conditional_t<
     RigidTag<Body>, Fields<Group>,

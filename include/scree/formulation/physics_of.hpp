@@ -22,7 +22,8 @@ concept HasPhysicsOfBody = requires(Physics const& physics) {
 };
 }  // namespace detail
 
-/// The physics model of a body: `physics`, unless that has one for each body (physics_of_bodies.hpp).
+/// Returns the physics model of a body: `physics` itself, or the model that it holds for this body
+/// (physics_of_bodies.hpp).
 template <BodyTag Body, class Physics>
 auto const& physics_of_body(Physics const& physics) {
   if constexpr (detail::HasPhysicsOfBody<Physics, Body>)
@@ -33,7 +34,7 @@ auto const& physics_of_body(Physics const& physics) {
 /// The type of the physics model of a body of a formulation.
 template <class P, BodyTag Body>
 using physics_of = std::remove_cvref_t<decltype(physics_of_body<Body>(std::declval<typename P::physics const&>()))>;
-/// The fields of a body of a formulation that evolve.
+/// The list of evolving fields of a body of a formulation.
 template <class P, BodyTag Body>
 using evolves_of = typename physics_of<P, Body>::evolves;
 
@@ -44,7 +45,7 @@ namespace detail {
 /// Whether several bodies of a formulation evolve.
 template <class P>
 inline constexpr bool several_evolve = evolving_bodies<P>::count > 1;
-/// The fields of a list, those that a stage of the physics model evolves, that evolve in a body.
+/// The fields that a stage of the physics model evolves and that evolve in a given body.
 template <class P, class Body, class OfStage>
 using evolved_in = Common<OfStage, evolves_of<P, Body>>;
 }  // namespace detail

@@ -32,14 +32,14 @@ struct EvolvedBy {
 
 namespace detail {
 
-/// A physics model that can be combined with another one in PhysicsOfBodies: it has stages, and names the terms for
-/// pairs of one of its particles and a neighbour in the body of the other.
+/// Whether a physics model has interface terms with another model of PhysicsOfBodies: terms for pairs of a particle in
+/// its own body and a neighbour in the body of the other model.
 template <class Physics, class Other>
 concept HasInterface = requires(Physics const& physics, Other const& other) {
   std::tuple_size<decltype(physics.interface_terms(other, Resolution{}))>::value;
 };
 
-/// One message for all pairs of bodies.
+/// Reports missing interface terms, with one message for all pairs of bodies.
 template <bool HasInterface>
 constexpr void explain_interface() {
   static_assert(HasInterface,
@@ -69,7 +69,7 @@ struct ExplainModels<PhysicsOfBodies<Parts...>> {
   }
 };
 
-/// Whether passes of a list read fields of a body that passes of another list store.
+/// Whether passes of one list read fields of a body that passes of another list write.
 template <class Body, class Passes, class Others>
 inline constexpr bool read_what_others_store = false;
 template <class Body, class... Passes, class Others>
@@ -82,14 +82,15 @@ inline constexpr std::size_t number_of_stages =
 
 }  // namespace detail
 
-/// A physics model for each of several bodies that evolve, for `physics` of a formulation:
+/// The `physics` of a formulation with several evolving bodies, with one physics model for each body:
 ///   using bodies = Bodies<Sand, Block, Wall>;
 ///   using physics = PhysicsOfBodies<EvolvedBy<Sand, Granular<Dry>>, EvolvedBy<Block, Granular<Rubber>>>;
-/// It is made from the models in this order. Each body has the law, fields and stages of its model. Stages of the same
-/// number run together: the rates of all bodies are evaluated before any of them is updated. A particle also sums over
-/// neighbours in the other bodies, by the terms that its model names: interface_terms(other, resolution), a tuple,
-/// where `other` is the model of the other body. Each pass takes those that add to the fields that it sums over its own
-/// body. Filters act within each body.
+/// The constructor takes the models in the order of this list. Each body has the law, fields and stages of its model.
+/// Stages with the same number run together: the rates of all bodies are evaluated before any body is updated. A
+/// particle also sums over neighbours in the other bodies, with the interface terms of its model. The function
+/// interface_terms(other, resolution) returns these terms as a tuple, where `other` is the model of the other body.
+/// Each pass uses those interface terms that add to the fields that the pass sums over its own body. Filters act within
+/// each body.
 template <class... Parts>
 class PhysicsOfBodies {
   static constexpr std::size_t number = std::min({detail::number_of_stages<typename Parts::type>...});
@@ -113,10 +114,10 @@ class PhysicsOfBodies {
                 "the models of PhysicsOfBodies have walls of different schemes");
 
   PhysicsOfBodies() = default;
-  /// One model for each body, in the order of `bodies`.
+  /// Takes one model for each body, in the order of `bodies`.
   explicit PhysicsOfBodies(typename Parts::type const&... models) : models_(models...) {}
 
-  /// The model of a body of `bodies`.
+  /// Returns the model of a body of `bodies`.
   template <BodyTag Body>
   requires detail::is_listed<Body, bodies>
   auto const& of_body() const { return std::get<index<Body>>(models_); }
@@ -124,7 +125,7 @@ class PhysicsOfBodies {
   requires detail::is_listed<Body, bodies>
   auto& of_body() { return std::get<index<Body>>(models_); }
 
-  /// Returns the stages of the models, put together: each has the passes of all bodies.
+  /// Returns the combined stages of the models: each stage contains the passes of all bodies.
   auto stages(Resolution const& resolution) const {
     auto const of_bodies = detail::Tuple(of_body<typename Parts::body>().stages(resolution)...);
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
@@ -132,14 +133,14 @@ class PhysicsOfBodies {
     }
     (std::make_index_sequence<number>());
   }
-  /// The filters of all bodies, each in the steps of its own period.
+  /// Returns the filters of all bodies; the filters of each body run in the steps of its own period.
   auto filters(Resolution const& resolution) const {
     return detail::in_a_row(filters_of<typename Parts::body>(resolution)...);
   }
-  /// Returns 1: filters() chooses the steps of each body.
+  /// Returns 1, because filters() selects the steps in which each body is filtered.
   static int filter_period() { return 1; }
 
-  /// Throws std::invalid_argument if a setting of a model is out of range, or where gravities differ.
+  /// Throws std::invalid_argument if a setting of a model is out of range, or if the models differ in gravity.
   void check() const {
     std::apply([](auto const&... each) { (check_settings_of(each), ...); }, models_);
     std::optional<Gravity> first;
@@ -152,7 +153,8 @@ class PhysicsOfBodies {
     };
     std::apply([&](auto const&... each) { (compare(each), ...); }, models_);
   }
-  /// The largest of the models, for the largest one of the integrator; 0 if no model has one.
+  /// Returns the largest acoustic CFL number of the models, for comparison with the largest one of the integrator; 0 if
+  /// no model has one.
   double acoustic_cfl() const {
     auto const of = [](auto const& model) {
       if constexpr (requires { model.acoustic_cfl(); })
@@ -162,7 +164,7 @@ class PhysicsOfBodies {
     };
     return std::max({of(of_body<typename Parts::body>())...});
   }
-  /// The warnings of all models, a line each; empty if there are none.
+  /// Returns the warnings of all models, one per line; empty if there are none.
   std::string warning() const {
     std::string all;
     auto const add = [&](auto const& model) {
@@ -202,7 +204,7 @@ class PhysicsOfBodies {
         detail::in_a_row(bound<typename Parts::body>(
             detail::value_at<K>(detail::value_at<index<typename Parts::body>>(of_bodies)).projections, resolution)...));
   }
-  /// Whether no passes of other bodies read what the passes of a body store. `Lists`: the passes of each body.
+  /// Whether no pass of another body reads what the passes of a body write. `Lists` contains the passes of each body.
   template <class Body, class Lists>
   static constexpr bool no_other_reads_it =
       ((std::is_same_v<Body, typename Parts::body> ||
@@ -210,7 +212,7 @@ class PhysicsOfBodies {
                                         detail::type_at<index<Body>, Lists>>)&&...);
   template <class Lists>
   static constexpr bool are_independent = (no_other_reads_it<typename Parts::body, Lists> && ...);
-  /// The passes of a body with its interfaces with all others.
+  /// Returns the passes of a body with its interface terms with all other bodies.
   template <class Body, class Passes>
   auto bound(Passes const& passes, Resolution const& resolution) const {
     auto const with_all = detail::in_a_row(interface_of<Body, typename Parts::body>(resolution)...);

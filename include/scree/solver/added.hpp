@@ -27,7 +27,7 @@ template <Field F, class Value>
 struct Given {
   Value value;
 };
-/// For Solver::add().
+/// Returns a value, or a function of the point (m), as the value of a field for Solver::add().
 template <Field F, class Value>
 Given<F, Value> given(F, Value const& value) {
   static_assert(!detail::is_expression<Value>,
@@ -58,8 +58,7 @@ std::vector<int> numbers_from(long first, std::vector<X> const& points) {
   return numbers;
 }
 
-/// Whether particles that are added need a value of a field: no other source provides it, and zero is unlikely to be
-/// intended.
+/// Whether added particles need a value for a field: nothing else provides one, and zero is unlikely to be intended.
 template <class P, class Body, class F>
 inline constexpr bool must_be_given = std::is_same_v<F, Group> ||
                                       (!may_begin_at_zero<F, evolved_fields<typename P::physics::evolves>> &&
@@ -70,12 +69,12 @@ template <class P, class Body, class... Fs>
 struct fields_to_give<P, Body, Fields<Fs...>> {
   using type = Merge<std::conditional_t<must_be_given<P, Body, Fs>, Fields<Fs>, Fields<>>...>;
 };
-/// Fields without a value for added particles: an error unless it is empty.
+/// The fields for which added particles need a value and have none; the list must be empty.
 template <class P, class Body, class... Fs>
 using fields_not_given =
     Without<typename fields_to_give<P, Body, body_fields<P, Body>>::type, Fields<Fs..., Identity, Position, Volume>>;
 
-/// One message where particles would be added to several bodies, or removed from them.
+/// Reports a formulation whose particles can be neither added nor removed, because several bodies evolve.
 template <class P>
 constexpr bool explain_population() {
   constexpr bool one = !several_evolve<P>;
@@ -91,7 +90,7 @@ constexpr void static_check_given() {
   static_assert(!OneOf<Group, fields_to_move<P, Material>>,
                 "the material follows a motion by group: no particles can be added");
 }
-/// Whether a particle, or an image of it, is in a box.
+/// The condition that a particle, or one of its periodic images, is in a box.
 template <class X>
 struct NearBox {
   using reads = Fields<Position>;
@@ -108,7 +107,7 @@ struct NearBox {
     return true;
   }
 };
-/// The condition that a particle is within a distance (m) of the box around some points.
+/// Returns the condition that a particle is within a distance (m) of the box around some points.
 template <class X>
 NearBox<X> near_to(std::vector<X> const& points, double distance, std::vector<Period> const& periods) {
   NearBox<X> near{points.front(), points.front(), zero<X>()};
@@ -117,7 +116,7 @@ NearBox<X> near_to(std::vector<X> const& points, double distance, std::vector<Pe
   for (Period const& each : periods) near.period[each.axis] = typename X::Scalar(each.high - each.low);
   return near;
 }
-/// The volumes of new particles, m^dim: spacing^dim unless they are given.
+/// Returns the volumes of new particles, m^dim: the given values, or spacing^dim if none are given.
 template <class P, class X, class... Fs, class... Values>
 std::vector<typename P::real> volumes_at(std::vector<X> const& points, double spacing,
                                          Given<Fs, Values> const&... values) {
@@ -129,10 +128,10 @@ std::vector<typename P::real> volumes_at(std::vector<X> const& points, double sp
   check_volumes(volumes, "those that are added");
   return volumes;
 }
-/// Throws std::invalid_argument if new particles of the material would overlap with each other or with those of any
-/// body, or if their distances or volumes (m^dim) do not fit the spacing. Walls and rigid bodies come first, with
-/// `at_walls`; then the message is not about material that is there too. It names new particles by their indices and
-/// others by their identities.
+/// Throws std::invalid_argument if new particles of the material would overlap with each other or with particles of any
+/// body, or if their distances or volumes (m^dim) do not fit the spacing. Walls and rigid bodies are checked first,
+/// with the words `at_walls`, so that an overlap with them is not reported as one with material that is there, too. The
+/// message names new particles by their indices and others by their identities.
 template <class Sys, class Settings, class X, class V>
 [[gnu::cold]] void check_added(Sys const& system, Settings const& settings, std::vector<X> const& points,
                                std::vector<V> const& volumes, StartWords const& words, StartWords at_walls) {
@@ -153,7 +152,7 @@ template <class Sys, class Settings, class X, class V>
     auto const identities = whole.order(picked).of(whole.here().to_host(fields::identity, picked));
     placed.numbers.insert(placed.numbers.end(), identities.begin(), identities.end());
   };
-  at_walls.may_be_sparse = true;  // there may be material around them
+  at_walls.may_be_sparse = true;  // there may be material around the new particles
   for_each_body(typename Sys::bodies{}, [&]<class Body>() {
     if constexpr (!std::is_same_v<Body, Material>) {
       std::size_t const before = placed.places.size();
@@ -167,14 +166,15 @@ template <class Sys, class Settings, class X, class V>
   add.template operator()<Material>();
   check(words);
   if (words.may_be_sparse) return;
-  // The particles that are already there may be loose.
+  // Only the new particles are checked here: those that are already there may be loosely packed.
   placed.places.resize(points.size()), placed.volumes.resize(points.size()), placed.numbers.resize(points.size());
   Packing const packing = packing_of(placed, points.size(), settings.spacing, dim, settings.periods);
   if (!packing.can_tell()) return;
   auto const fault = fault_of_packing(packing, settings.spacing, dim, words.when);
   if (!fault.empty()) throw std::invalid_argument(fault + "; if this is meant, set `start_checks = false`");
 }
-/// Adds particles with these volumes (m^dim) to the material, numbered from `number`. Returns the sum of the volumes.
+/// Adds particles with the given volumes (m^dim) to the material, with identities from `number` on. Returns the sum of
+/// the volumes.
 template <class Sys, class X, class V, class... Fs, class... Values>
 double append(Sys& system, int number, std::vector<X> const& points, std::vector<V> const& volumes,
               Given<Fs, Values> const&... values) {

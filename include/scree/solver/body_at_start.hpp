@@ -26,7 +26,7 @@ template <BodyTag Body, class Points>
 struct ParticlesOf {
   Points const& points;
 };
-/// The particles that a solver makes of the given points, as those of a body.
+/// Returns the given points as the particles of a body, for the constructor of a solver.
 template <BodyTag Body, class Points>
 ParticlesOf<Body, Points> particles_of(Points const& points) {
   return {points};
@@ -35,16 +35,16 @@ ParticlesOf<Body, Points> particles_of(Points const& points) {
 
 namespace scree::detail {
 
-/// A body before the first step.
+/// The particles of a body before the first step.
 template <class X>
 struct BodyAtStart {
   std::vector<X> points;                // m
-  std::vector<int> groups = {};         // of each particle; empty for plain points
-  std::vector<std::string> names = {};  // of the groups
-  bool is_share = false;                // other ranks have other particles
-  std::vector<RangeHere> ranges = {};   // of identities, in the order of the points; empty: from 0
+  std::vector<int> groups = {};         // group of each particle; empty for plain points
+  std::vector<std::string> names = {};  // names of the groups
+  bool is_share = false;                // whether other ranks have other particles
+  std::vector<RangeHere> ranges = {};   // ranges of identities, in the order of the points; empty: from 0
 };
-/// The arguments that a body may be made from; X is a point of the formulation.
+/// Whether a body can be made from points of a type; X is the point type of the formulation.
 template <class Points, class X>
 inline constexpr bool fits = false;
 template <class X>
@@ -63,7 +63,7 @@ template <class Points>
 inline constexpr bool are_points = false;
 template <int Dim, class Real>
 inline constexpr bool are_points<std::vector<Vec<Dim, Real>>> = true;
-/// The message of the compiler about points that do not fit.
+/// Reports at compile time points that do not fit the formulation.
 template <class Points, class X>
 constexpr bool explain_points() {
   constexpr bool right = fits<Points, X> || std::is_convertible_v<Points const&, std::vector<X>>;
@@ -76,7 +76,8 @@ constexpr bool explain_points() {
                 "particles are std::vector<Vec<dim, real>>, or Groups<dim>, or SharedPoints<dim> of the formulation");
   return right;
 }
-/// The last parameter of a function, not given: where it is called, the compiler says what is wrong with the points.
+/// The last parameter of a function, which callers omit: at each call, the compiler reports what is wrong with the
+/// points.
 template <class X, class A, class B = std::vector<X>>
 struct PointsFit : std::bool_constant<explain_points<A, X>() && explain_points<B, X>()> {};
 
@@ -105,7 +106,8 @@ BodyAtStart<X> at_start(SharedPoints<X::RowsAtCompileTime> const& share) {
   return {in_precision_of<X>(share.points), {}, {}, true, {{{first, first + count}, {0, static_cast<int>(share.all)}}}};
 }
 
-/// Throws std::invalid_argument if there is no such body, or where several have the role.
+/// Stores the given particles of a body in `all`. Throws std::invalid_argument if the particles of a body are given
+/// twice, or if they are given for a role that no body or several bodies have.
 template <class List, class X, class Tag, class Points>
 [[gnu::cold]] void give(PerBody<BodyAtStart<X>, List>& all, ParticlesOf<Tag, Points> const& given) {
   if constexpr (explain_points<Points, X>()) {
@@ -121,7 +123,7 @@ template <class List, class X, class Tag, class Points>
     }
   }
 }
-/// The particles of all bodies of a list; none for a body that is not given.
+/// Returns the particles of all bodies of a list; a body that is not given has none.
 template <class List, class X, class... Tags, class... Points>
 [[gnu::cold]] PerBody<BodyAtStart<X>, List> starts(ParticlesOf<Tags, Points> const&... given) {
   PerBody<BodyAtStart<X>, List> all;
@@ -133,11 +135,12 @@ template <class T>
 inline constexpr bool are_of_body = false;
 template <class Body, class Points>
 inline constexpr bool are_of_body<ParticlesOf<Body, Points>> = true;
-/// Whether these are the particles of the material and of walls, without the names of their bodies.
+/// Whether two arguments are the particles of the material and of the walls, without the names of their bodies.
 template <class A, class B>
 inline constexpr bool are_particles = !are_of_body<A> && !are_of_body<B>;
 
-/// The identities of a number of particles: those of the ranges, in their order, or from 0 if there are no ranges.
+/// Returns the identities of a number of particles: those of the ranges, in order, or counted from 0 if there are no
+/// ranges.
 [[gnu::cold]] std::vector<int> identities_at_start(std::size_t particles, std::vector<RangeHere> const& ranges);
 
 /// Gives a body its particles.
@@ -153,7 +156,7 @@ template <class Body, class X>
     if (!start.groups.empty()) body.from_host(group, start.groups);
 }
 
-/// Throws std::invalid_argument if a body has groups that are not among those of the motion.
+/// Throws std::invalid_argument if a body has no groups, or groups that the motion does not have.
 template <class X>
 [[gnu::cold]] void check_groups(int known, BodyAtStart<X> const& start, std::string const& name_of_body) {
   if (start.points.empty()) return;
@@ -167,7 +170,7 @@ template <class X>
           formatted("scree: group %d of the %s, '%s', has no motion: the motion is that of %d groups, counted from 0",
                     number, name_of_body.c_str(), start.names[std::size_t(number)].c_str(), known));
 }
-/// check_groups() for all bodies that the motion of a formulation moves.
+/// Runs check_groups() for all bodies that the motion of a formulation moves by group.
 template <class P, class X>
 void check_groups([[maybe_unused]] typename P::motion const& motion,
                   PerBody<BodyAtStart<X>, typename P::bodies> const& start) {
@@ -177,11 +180,11 @@ void check_groups([[maybe_unused]] typename P::motion const& motion,
   });
 }
 
-/// Throws std::runtime_error if the particles of a snapshot have other groups (`here`) than those of a body, whose
-/// order may differ if it is sorted.
+/// Throws std::runtime_error if the particles of a snapshot have other groups than the particles of a body (`here`). If
+/// `sorted` is true, the order of the particles may differ.
 [[gnu::cold]] void require_same_groups(Snapshot const& snapshot, std::vector<int> here, std::string const& name_of_body,
                                        bool sorted);
-/// require_same_groups() for all bodies that the motion of a formulation moves.
+/// Runs require_same_groups() for all bodies that move by group, rigid bodies included.
 template <class P, class Sys>
 void require_same_groups_in(Snapshot const& snapshot, Sys const& system) {
   for_each_body(typename P::bodies{}, [&]<class Body>() {

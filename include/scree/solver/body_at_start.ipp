@@ -24,7 +24,7 @@ SCREE_BODY std::vector<int> identities_at_start(std::size_t particles, std::vect
 SCREE_BODY void require_same_groups(Snapshot const& snapshot, std::vector<int> here, std::string const& name_of_body,
                                     bool sorted) {
   SnapshotArray const* const array = snapshot.find(name_of_body + "/group");
-  if (array == nullptr) return;  // the signature differs, too
+  if (array == nullptr) return;  // then the signature differs, too
   auto there = values_of<int>(*array);
   if (sorted) std::sort(there.begin(), there.end()), std::sort(here.begin(), here.end());
   if (there != here)

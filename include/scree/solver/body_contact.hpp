@@ -20,7 +20,7 @@
 // The contact of the rigid bodies of a solver.
 namespace scree::detail {
 
-/// |g|, m/s^2; 0 where the physics has no gravity.
+/// Returns |g|, m/s^2; 0 if the physics has no gravity.
 template <class Physics>
 double strength_of_gravity(Physics const& physics) {
   if constexpr (requires { gravity_of(physics); })
@@ -28,7 +28,7 @@ double strength_of_gravity(Physics const& physics) {
   else
     return 0;
 }
-/// The modulus that the physics has for contact, Pa; 0: none.
+/// Returns the contact modulus of the physics, Pa; 0 if it has none.
 template <class Physics>
 double contact_modulus_of(Physics const& physics) {
   if constexpr (requires { physics.contact_modulus(); })
@@ -39,7 +39,7 @@ double contact_modulus_of(Physics const& physics) {
     return 0;
 }
 
-/// Overlap in spacings.
+/// The contact overlap of a particle, in spacings.
 struct OverlapInSpacings {
   double spacing;
   using reads = Fields<ContactOverlap>;
@@ -49,7 +49,7 @@ struct OverlapInSpacings {
   }
 };
 
-/// Adds forces of contacts to those of the material.
+/// An update that adds the contact forces on wall particles to the forces of the material.
 struct AddToWall {
   using reads = Fields<WallForce>;
   using writes = Fields<WallForce>;
@@ -70,7 +70,7 @@ class BodyContact {
   using Body = rigid_body_of<typename P::bodies>;
   using Walls = not_rigid_among<following_bodies<P>>;
 
-  /// Finds the surfaces of all bodies and the numbers of the law.
+  /// Finds the surfaces of all bodies and sets the parameters of the contact law.
   template <class Sys>
   void prepare(Sys& system, SolverSettings<P> const& settings) {
     using namespace fields;
@@ -96,7 +96,7 @@ class BodyContact {
     double const g = strength_of_gravity(settings.physics);
     law_.damped_below = settings_.damped_below > 0 ? settings_.damped_below : 2 * g / omega + 1e-4 * omega * spacing_;
   }
-  /// Turns the normals of walls with their motion.
+  /// Rotates the surface normals of walls with the motion of the walls.
   template <class Sys>
   void turn_walls(Sys& system, typename P::motion const& motion, double time) const {
     for_each_body(Walls{}, [&]<class Wall>() {
@@ -106,12 +106,12 @@ class BodyContact {
                                  TurnFacing<Motion>{motion_of_body<Wall>(motion), time, spacing_});
     });
   }
-  /// A function of one particle that turns the normals of rigid bodies with their motions.
+  /// Returns a function of one particle that rotates the surface normals of rigid bodies with their motions.
   template <class Motions>
   TurnFacing<Motions> turning_with(Motions const& motions) const {
     return {motions, 0, spacing_};
   }
-  /// Brings overlaps and forces up to date.
+  /// Updates the overlaps and the contact forces.
   template <class Sys>
   void update(Sys& system) const {
     pair_pass_where<Body>("scree::rigid_touch", OnSurface{},
@@ -121,7 +121,7 @@ class BodyContact {
       pair_pass_where<Body>("scree::rigid_contact", InContact{}, StoreSums{}, over<Wall>(ContactForces{law_}))
           .run(system);
   }
-  /// Adds the forces of contacts in the present state to those that the diagnostics compute for walls.
+  /// Adds the contact forces of the present state to the forces on walls that the diagnostics compute.
   template <class Sys>
   void add_to_walls(Sys& system) const {
     if (!acts_) return;
@@ -132,7 +132,8 @@ class BodyContact {
       }
     });
   }
-  /// Updates the tangential displacement of friction by a function of an integrator for StretchEvolves, or none of it.
+  /// Updates the tangential displacement of friction with the function of an integrator for StretchEvolves; does
+  /// nothing if this function does not write the displacement.
   template <class Sys, class Function>
   void advance(Sys& system, Function const& function) const {
     if constexpr (OneOf<ContactStretch, writes_of<Function>>)
@@ -140,7 +141,7 @@ class BodyContact {
         for_each_particle<Basis>("scree::contact_stretch", system.template body<Body>(),
                                  UpdateStretch<Function>{function});
   }
-  /// Throws OutsideValidity where bodies overlap more than the settings allow.
+  /// Throws OutsideValidity if bodies overlap more than the settings allow.
   template <class Sys>
   void check(Sys const& system, long steps) const {
     auto const overlap = bound(
@@ -151,7 +152,8 @@ class BodyContact {
               : "contact does not act: set `modulus` of `rigid.contact`; `largest_overlap` allows more");
     limits_of(system.template whole<Body>(), Fields<>{}, Tuple<>(), steps, Tuple(overlap));
   }
-  /// The step that resolves contact, where a surface is near; `change`: the time (s) in which that can change.
+  /// Returns the time step limit that resolves contact; there is no limit unless another surface is near. `change` is
+  /// the time (s) in which this can change.
   template <class Sys>
   TimeStepLimit limit(Sys const& system, double change) const {
     bool near = false;
@@ -161,13 +163,13 @@ class BodyContact {
     }
     return {"rigid contact", near ? longest_ : TimeStepLimit::never, near ? change : TimeStepLimit::never};
   }
-  /// Whether contact acts, and its law.
+  /// Whether contact forces act.
   bool acts() const { return acts_; }
 
  private:
-  /// The longest step times the largest frequency of a body on its contacts: 42 steps for a vibration.
+  /// The longest time step times the largest angular frequency of a body on its contacts: 42 steps per oscillation.
   static constexpr double of_vibration = 0.15;
-  /// Returns which particles of a body are its outermost.
+  /// Finds the surface of a body and stores its normals and owners. Returns which particles are the outermost.
   template <class Sys, class Any>
   static std::vector<bool> find(Sys const& system, Any& body, std::vector<int> const& owners) {
     using namespace fields;
@@ -180,8 +182,9 @@ class BodyContact {
     body.from_host(contact_owner, surface.owner);
     return surface.outermost;
   }
-  /// The largest frequency (rad/s) of a body on its contacts, if half of its outermost particles touch others, which
-  /// may move as fast against it; and the dashpots of friction for that of each body.
+  /// Sets the friction dashpot of each body from the angular frequency of the body on its contacts. Returns the largest
+  /// such frequency (rad/s), if half of the outermost particles of a body touch other bodies, which may move just as
+  /// fast in the opposite direction.
   double set_frequencies(typename P::space const& space, std::vector<Rigid<dim>> const& bodies,
                          std::vector<X> const& at_rest, std::vector<int> const& groups,
                          std::vector<bool> const& outermost) {

@@ -31,44 +31,48 @@
 // Checks of a solver: fields that are set, the start, walls and lost particles.
 namespace scree::detail {
 
-/// The largest unit in the last place of a coordinate, in spacings. Two neighbours are each rounded by up to half of
-/// it, which displaces them by 0.4 units (rms) from each other. A lattice whose neighbours are displaced by delta (rms)
-/// has an error of about $3 \delta/(h \sqrt{n})$ of the pressure over h in the pressure gradient, with n neighbours:
-/// with h = 1.5 spacings and n = 28 (2D), a thousandth of the pressure per unit of 0.001 spacings.
+/// The largest allowed unit in the last place of a coordinate, in spacings. The coordinates of two neighbours are each
+/// rounded by up to half a unit, which displaces the neighbours by 0.4 units (rms) relative to each other. If the
+/// neighbours in a lattice are displaced by delta (rms), the error of the pressure gradient is about $3 \delta/(h
+/// \sqrt{n})$ times the pressure over h, with n neighbours: with h = 1.5 spacings and n = 28 (2D), a thousandth of the
+/// pressure per unit of 0.001 spacings.
 inline constexpr double coarsest_unit = 1e-3;
 
-/// The message if positions (m) in float are too imprecise at this distance from the origin; "" if they are not.
+/// Returns a message if single precision is too coarse for positions at this distance (m) from the origin; otherwise
+/// "".
 [[gnu::cold]] std::string fault_of_precision(double farthest, double spacing);
 
-/// Throws a fault unless it is empty: std::invalid_argument before the first step, OutsideValidity later.
+/// Throws an exception with the text of a fault unless the text is empty: std::invalid_argument before the first step,
+/// OutsideValidity later.
 [[gnu::cold]] void stop_for(std::string const& fault, long steps);
 
-/// The warning of material under pressure with this packing.
+/// Returns the warning about material under pressure with this packing.
 [[gnu::cold]] std::string warning_of_packing(Packing const& found, double time, long steps);
 
-/// Whether all of these bodies carry the stress.
+/// Whether all bodies of a list carry the stress.
 template <class P, class... Bs>
 constexpr bool carry_stress(Bodies<Bs...>) {
   return (OneOf<Stress, scree::carried_fields<P, Bs>> && ...);
 }
 
-/// A model that warns of a bed of a depth (m).
+/// A physics model that warns of a bed of a certain depth (m).
 template <class Physics>
 concept WarnsOfDepth = requires(Physics const& physics) {
   physics.warning_of_depth(0.0);
 };
 
-/// Checks of positions on the host.
+/// The checks of particle positions, in the execution space if possible and otherwise on the host.
 template <class P>
 class PositionChecks {
  public:
-  /// Checks that single precision resolves the distances of particles whose largest coordinate (m) is given. Throws
-  /// std::invalid_argument before the first step, OutsideValidity later.
+  /// Checks whether single precision resolves the distances between particles, given their largest coordinate (m). If
+  /// not, throws std::invalid_argument before the first step and OutsideValidity later.
   static void precision(double farthest, SolverSettings<P> const& settings, long steps) {
     if (!std::is_same_v<typename P::real, float> || !settings.start_checks) return;
     stop_for(fault_of_precision(farthest, settings.spacing), steps);
   }
-  /// Throws std::invalid_argument as require_all_set() and check_start() do; with `warns` it also warns of a soft bed.
+  /// Checks the fields, positions and depth before the first step; with `warns` it also warns of a soft bed. Throws
+  /// std::invalid_argument as require_all_set(), check_start() and check_depth() do.
   template <class Sys>
   [[gnu::cold]] static void start(Sys const& system, SolverSettings<P> const& settings, bool warns = false) {
     for_each_body(typename P::bodies{}, [&]<class Body>() { require_all_set<P, Body>(system.template body<Body>()); });
@@ -80,7 +84,7 @@ class PositionChecks {
     check_depth(settings, warns && system.whole_case().reports(),
                 [&](auto const& g) { return extent_along(g, here.all, here.owned, system.whole_case()); });
   }
-  /// Checks positions as start() does, where the particles are. Returns false if the host has to.
+  /// Checks positions as start() does, in the execution space. Returns false if they must be checked on the host.
   template <class Sys>
   [[gnu::cold]] static bool start_in_space(Sys const& system, SolverSettings<P> const& settings, bool warns = false) {
     return look_in_space<P>(system, settings, [&](auto& look) {
@@ -90,9 +94,9 @@ class PositionChecks {
       });
     });
   }
-  /// Gives a body that evolves volumes (m^dim) during a run, where grains may be looser or denser than at a start.
-  /// Throws std::invalid_argument, and leaves the volumes as they were, if the new ones do not fit the space that the
-  /// particles have, and less so than the old ones.
+  /// Sets the volumes (m^dim) of an evolving body during a run, when grains may be packed more loosely or more densely
+  /// than at the start. Throws std::invalid_argument, and leaves the volumes unchanged, if the new volumes do not fit
+  /// the distances between the particles and fit them worse than the old ones.
   template <class Body, class Sys, class Values>
   [[gnu::cold]] static void set_volumes(Sys& system, SolverSettings<P> const& settings, Values const& values) {
     using namespace fields;
@@ -106,21 +110,21 @@ class PositionChecks {
     throw std::invalid_argument(fault_of_packing(after, settings.spacing, P::dim, "after set()") +
                                 "; if this is meant, set `start_checks = false`");
   }
-  /// Checks for walls that are too thin, if such a check is due. Grains may reach both sides of a wall at any step; the
-  /// step of the next check is eight times that of the last. Throws std::invalid_argument before the first step,
-  /// OutsideValidity later.
+  /// Checks whether walls are too thin, if this check is due. Grains may reach both sides of a wall at any step, so the
+  /// check is repeated, each time at eight times the step number of the last check. If a wall is too thin, throws
+  /// std::invalid_argument before the first step and OutsideValidity later.
   template <class Sys>
   void walls_now_and_then(Sys const& system, SolverSettings<P> const& settings, long steps) {
     if (settings.start_checks && steps >= walls_due_) walls(system, settings, steps);
   }
-  /// Warns once if loaded grains are packed too loosely or too densely. It checks at intervals that double during the
+  /// Warns once if loaded grains are packed too loosely or too densely. The intervals between checks double during the
   /// run.
   template <class Sys>
   void packing_now_and_then(Sys const& system, SolverSettings<P> const& settings, double time, long steps) {
     if constexpr (carry_stress<P>(evolving_bodies<P>{}) && evolves_position<P>)
       if (settings.start_checks && steps >= packing_due_) packing(system, settings, time, steps);
   }
-  /// The packing of the particles of the material with a positive pressure.
+  /// Returns the packing of the material particles with a positive pressure.
   template <class Sys>
   [[gnu::cold]] static Packing packing_under_pressure(Sys const& system, SolverSettings<P> const& settings) {
     if constexpr (!on_host<typename P::space> && !several_evolve<P>) {
@@ -160,7 +164,7 @@ class PositionChecks {
     Places const here = places(system, settings);
     return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others);
   }
-  /// Checks the depth along gravity, extent(g) in m, where the physics model can.
+  /// Checks the depth of the material along gravity, extent(g) in m, if the physics model has such a check.
   template <class Extent>
   [[gnu::cold]] static void check_depth([[maybe_unused]] SolverSettings<P> const& settings, [[maybe_unused]] bool warns,
                                         [[maybe_unused]] Extent const& extent) {
@@ -175,8 +179,9 @@ class PositionChecks {
       }
     });
   }
-  /// Particles for checks of positions: those of the whole case or, where not all are here, these and those that are
-  /// near, images included. The `owned` first ones of the material are checked.
+  /// The particles for checks of positions: those of the whole case or, if other ranks have some of them, the particles
+  /// of this rank and those near them, periodic images included. The first `owned` particles, those of evolving bodies,
+  /// are checked.
   struct Places {
     PlacedParticles all = {};
     std::size_t owned = 0;
@@ -205,7 +210,8 @@ class PositionChecks {
     });
     return found;
   }
-  /// The extent of the first `count` particles along a direction, m, of all those of a case; 0 without a direction.
+  /// Returns the extent (m), along a direction, of the first `count` particles on all ranks of the case; 0 if the
+  /// direction is zero.
   template <class X, class Case>
   [[gnu::cold]] static double extent_along(X const& direction, PlacedParticles const& placed, std::size_t count,
                                            Case const& whole) {
@@ -224,8 +230,8 @@ class PositionChecks {
     walls_due_ = std::max(256L, 8 * steps);
     stop_for(fault_of_walls(system, settings, steps), steps);
   }
-  /// The text of fault_of_thin_walls(). Where not all particles are here, it checks those that are among all that are
-  /// near.
+  /// Returns the text of fault_of_thin_walls(). If other ranks have some of the particles, the function checks the
+  /// particles of this rank among all particles near them.
   template <class Sys>
   [[gnu::cold]] static std::string fault_of_walls(Sys const& system, SolverSettings<P> const& settings, long steps) {
     using Walls = typename walls_of<typename P::physics>::type;
@@ -239,7 +245,7 @@ class PositionChecks {
     auto const for_each_wall = [&](auto const& visit) {
       for_each_body(following_bodies<P>{}, [&]<class Body>() {
         if (steps == 0 || !RigidTag<Body>)
-          visit.template operator()<Body>();  // grains come to all sides of rigid bodies
+          visit.template operator()<Body>();  // later, grains may reach all sides of rigid bodies
       });
     };
     auto const turning = [&]<class Body>() {
@@ -267,7 +273,7 @@ class PositionChecks {
     particles.put_material(material);
     return fault_of_thin_walls(particles, settings.spacing, P::dim, whole_case);
   }
-  /// Which particles of a body follow a motion that turns them, now or later.
+  /// Returns which particles of a body follow a motion that rotates them, now or later.
   template <class Body, class Sys>
   [[gnu::cold]] static std::vector<char> which_turn(Sys const& system, SolverSettings<P> const& settings) {
     auto const& body = system.template body<Body>();
@@ -283,15 +289,15 @@ class PositionChecks {
     return turn;
   }
 
-  static constexpr double reach_of_checks = 3.01;  // spacings; the checks look 3 spacings far
-  // Where the host has to check the particles of a GPU, a check costs as much as a few hundred steps with 1 to 10
-  // million of them; on a CPU it costs as much as one.
+  static constexpr double reach_of_checks = 3.01;  // spacings; the checks reach 3 spacings
+  // If the host has to check the particles of a GPU, a check costs as much as a few hundred steps with 1 to 10 million
+  // particles; on a CPU it costs as much as one step.
   static constexpr long first_look_at_packing = on_host<typename basis_of<P>::space> ? 2048 : 16'384;
   long walls_due_ = 0;                        // the step of the next check of walls
   long packing_due_ = first_look_at_packing;  // the step of the next check of the packing
 };
 
-/// The bound on the particles that may be farther than a support (m) out of a box.
+/// Returns the bound on the share of particles that are farther than a support (m) outside a box.
 template <class P, class X>
 Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double support, SolverSettings<P> const& settings) {
   return bound("distance beyond the walls (m)", box, support,
@@ -299,7 +305,7 @@ Bound<DistanceBeyond<X>> nothing_lost(DistanceBeyond<X> const& box, double suppo
                "where grains may get lost, raise `lost_share` of the settings",
                settings.lost_share);
 }
-/// The number of particles of the bodies that evolve, in the whole case, that are beyond a bound.
+/// Returns the number of particles of the evolving bodies that exceed a bound, in the whole case.
 template <class Sys, class Measure>
 long number_beyond(Sys const& system, Bound<Measure> const& bound) {
   long all = 0;
@@ -309,7 +315,8 @@ long number_beyond(Sys const& system, Bound<Measure> const& bound) {
   });
   return all;
 }
-/// The bounds on the state of a body: those of its physics model and, where positions evolve, one on lost particles.
+/// Returns the bounds on the state of a body: those of its physics model and, if positions evolve, a bound on lost
+/// particles.
 template <class P, class Physics, class Lost>
 auto bounds_of(Physics const& physics, Resolution const& resolution, Lost const& lost) {
   auto const of_physics = validity_of(physics, resolution);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// The functions of a solver on its state. They depend on the choices of a formulation and not on its name, so that the
-// library scree::compiled can have instances of them. Each comment names the header that defines the function.
+// The functions of a solver on its state. They depend on the choices of a formulation, not on its name, so that the
+// library scree::compiled can contain instances of them. Each comment names the header that defines the function.
 namespace scree {
 
 struct Snapshot;
@@ -28,33 +28,33 @@ struct SolverState;
 template <class P>
 using ParticlesAtStart = PerBody<BodyAtStart<Vec<P::dim, typename P::real>>, typename P::bodies>;
 
-/// The state of a solver before its first step (state.hpp).
+/// Returns the state of a solver before its first step (state.hpp).
 template <class P>
 SolverState<P> state_at_start(typename P::space const& space, ParticlesAtStart<P> const& start,
                               SolverSettings<P> const& settings);
-/// Computes the rates of the present state; `afresh`: also those that are otherwise computed at certain steps only
+/// Computes the rates of the present state; with `afresh`, also rates that are otherwise computed only at certain steps
 /// (stepper.hpp).
 template <class P>
 void update_rates(SolverState<P>& state, bool afresh);
 /// Takes a step of at most `longest` (s); returns its length (stepper.hpp).
 template <class P>
 double take_step(SolverState<P>& state, double longest);
-/// Makes the checks of the next step (stepper.hpp).
+/// Runs the checks of the next step (stepper.hpp).
 template <class P>
 void check_step(SolverState<P>& state);
 /// Checks the particles before the first step unless they were checked or restored before (looks.hpp).
 template <class P>
 void check_start_once(SolverState<P>& state);
-/// Checks the values of the present state, and returns the limits of the step that the physics has (looks.hpp).
+/// Checks the values of the present state, and returns the time step limits of the physics (looks.hpp).
 template <class P>
 [[gnu::noinline]] std::vector<TimeStepLimit> limits_now(SolverState<P> const& state);
-/// Continues with another motion (set.hpp).
+/// Replaces the motion (set.hpp).
 template <class P>
 void set_motion(SolverState<P>& state, typename P::motion const& next);
-/// The snapshot of a state, without the components of its solver (restart.hpp).
+/// Returns the snapshot of a state, without the components of its solver (restart.hpp).
 template <class P>
 Snapshot snapshot_of_state(SolverState<P> const& state);
-/// Sets a state to that of a snapshot (restart.hpp).
+/// Restores a state from a snapshot (restart.hpp).
 template <class P>
 void restore_state(SolverState<P>& state, Snapshot const& snapshot, std::string const& signature,
                    std::function<void()> const& read);

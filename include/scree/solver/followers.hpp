@@ -26,7 +26,7 @@ class Followers {
   Confines<Basis, All::count>& confines() { return confines_; }
   Confines<Basis, All::count> const& confines() const { return confines_; }
 
-  /// Adds the positions of the particles of a body at time zero that are here.
+  /// Adds the positions at time zero of the particles of a body on this rank.
   template <class Body, class Sys>
   void add(Sys const& system, Motion const& motion, std::vector<vector> const& points) {
     auto const whole = system.template whole<Body>();
@@ -52,15 +52,16 @@ class Followers {
         some_.template of<Body>().check_gradient(motion_of_body<Body>(motion), time);
     });
   }
-  /// Throws std::invalid_argument if the functions of the motion of a body contradict each other between two times (s),
-  /// as far as the body carries the fields that they give.
+  /// Throws std::invalid_argument if the functions of the motion of a body contradict each other between two times (s).
+  /// Only the functions for fields that the body carries are checked.
   [[gnu::cold]] void check_paths(Motion const& motion, double from, double to) const {
     for_each_body(All{}, [&]<class Body>() {
       if constexpr (Carries<Body>::any && !RigidTag<Body>)
         some_.template of<Body>().check_paths(motion_of_body<Body>(motion), from, to, Carries<Body>::acceleration);
     });
   }
-  /// Moves all bodies to their positions at a time (s). A material whose position does not evolve gets its velocity.
+  /// Moves all bodies to their positions at a time (s). A material whose position does not evolve gets the velocity of
+  /// its motion.
   template <class Sys>
   static void move(Sys& system, Motion const& motion, double time) {
     for_each_body(Prescribed{}, [&]<class Body>() { move<Body>(system, motion, time); });
@@ -71,22 +72,22 @@ class Followers {
           Kinematics<body_motion<P, Material>, OfMaterial>{motion_of_body<Material>(motion), time});
   }
   /// Updates the material by a function, then moves all bodies as move() does. The first body moves in the same sweep,
-  /// which saves a launch on a GPU.
+  /// which saves a kernel launch on a GPU.
   template <class Sys, class Function>
   static void update_and_move(Sys& system, Function const& function, Motion const& motion, double time) {
     update_and_move(system, function, motion, time, Prescribed{});
   }
-  /// The box around all bodies at a time (s).
+  /// Returns the box around all bodies at a time (s).
   DistanceBeyond<vector> box(Motion const& motion, double time) const {
     return [&]<class... Bs>(Bodies<Bs...>) { return confines_.at(time, motion_of_body<Bs>(motion)...); }(All{});
   }
-  /// The largest coordinate of all bodies at a time (s), in magnitude, m.
+  /// Returns the largest absolute coordinate (m) of all bodies at a time (s).
   double farthest(Motion const& motion, double time) const {
     return [&]<class... Bs>(Bodies<Bs...>) { return confines_.farthest(time, motion_of_body<Bs>(motion)...); }(All{});
   }
 
  private:
-  /// The kinematic fields that a body carries; none if it is at rest, where they cannot be wrong.
+  /// The kinematic fields that a body carries; none for a body at rest, whose values cannot be wrong.
   template <class Body>
   struct Carries {
     static constexpr bool moves = !std::is_same_v<body_motion<P, Body>, AtRest>;
@@ -119,7 +120,7 @@ class Followers {
   }
 
   Confines<Basis, All::count> confines_;
-  PerBody<SomeOfBody<P::dim>, All> some_;  // of those that carry what their motion gives
+  PerBody<SomeOfBody<P::dim>, All> some_;  // of bodies that carry fields which their motion gives
 };
 
 }  // namespace scree::detail

@@ -18,18 +18,18 @@
 
 namespace scree {
 
-/// Settings of LoadControl.
+/// The settings of LoadControl.
 template <int Dim>
 struct ControlledLoad {
-  std::string group;                                      ///< of the wall that is moved
-  Vec<Dim, double> direction = Vec<Dim, double>::Zero();  ///< in which it presses the material, of any length
-  double area = 0;                                        ///< that presses, m^(dim - 1)
-  std::function<double(double time)> pressure;            ///< to be reached at a time (s), from 0 on, Pa
-  double sound_speed = 0;                                 ///< of the material, m/s; 0: that of the law
+  std::string group;                                      ///< the group of the wall that is moved
+  Vec<Dim, double> direction = Vec<Dim, double>::Zero();  ///< in which the group presses the material, of any length
+  double area = 0;                                        ///< of the pressing surface, m^(dim - 1)
+  std::function<double(double time)> pressure;            ///< wanted pressure at a time (s), 0 or more, Pa
+  double sound_speed = 0;                                 ///< of the material, m/s; 0: taken from the law
 };
 
 namespace detail {
-/// The law of a physics model, also within one that combines models.
+/// Returns the law of a physics model; for combined models, the law of the mechanics.
 template <class Physics>
 auto const& law_of(Physics const& physics) {
   if constexpr (requires { physics.mechanics; })
@@ -39,23 +39,24 @@ auto const& law_of(Physics const& physics) {
 }
 }  // namespace detail
 
-/// Moves a group of the walls along a direction so that its pressure on the material follows a given one: the plate of
-/// an oedometer, the lid of a shear cell. `motion` of the formulation is `Steered<dim>` or a `MotionOfGroups` with it,
-/// `diagnostics` contain WallForces.
+/// A component that moves a group of the walls along a direction so that the pressure of the group on the material
+/// follows a given function of time, like the plate of an oedometer or the lid of a shear cell. The `motion` of the
+/// formulation must be `Steered<dim>` or a `MotionOfGroups` with it, and `diagnostics` must contain WallForces.
 ///
-/// The material answers a velocity v of the plate with the pressure $p = Z v + f$: Z = rho c is its impedance, and f
-/// the pressure of waves that arrive from within. A plate that follows $p = T - Z v$ swallows every wave that arrives,
-/// and its pressure tends to the given T. Eliminating f gives $v' = v/2 + (T - p)/(2 Z)$ from the present velocity and
-/// pressure. It is changed at intervals of a fifth of the time that sound takes over the smoothing length, or in each
-/// step if that is longer: with the delay of a wave through several particles the plate would swing. A speed of sound
-/// up to three times too small is stable. A plate without contact moves at T/Z.
+/// The material responds to a plate velocity v with the pressure $p = Z v + f$, where Z = rho c is the impedance of the
+/// material and f is the pressure of waves that arrive from within the material. A plate that follows $p = T - Z v$
+/// absorbs every arriving wave, and its pressure tends to the given T. Eliminating f gives the new velocity $v' = v/2 +
+/// (T - p)/(2 Z)$ from the present velocity and pressure. The velocity is changed at intervals of a fifth of the time
+/// that sound takes to travel a smoothing length, or in each step if the step is longer; with the delay of a wave
+/// through several particles, the plate would oscillate. A speed of sound up to three times too small is stable. A
+/// plate without contact moves at T/Z.
 template <class S>
 class LoadControl : public Component<S> {
  public:
   static constexpr int dim = S::policy::dim;
   using X = Vec<dim, double>;
 
-  /// Throws std::invalid_argument for settings that are out of range, or if there is no such group.
+  /// Checks the settings. Throws std::invalid_argument if one is out of range, or if the walls do not have the group.
   LoadControl(S const& solver, Groups<dim> const& walls, ControlledLoad<dim> const& settings)
       : settings_(settings), walls_(walls), number_(walls.number(settings.group)) {
     auto const& law = detail::law_of(solver.settings().physics);
@@ -83,7 +84,7 @@ class LoadControl : public Component<S> {
                     detail::formatted("%d, as the motion has", motion.groups()).c_str());
   }
 
-  /// Takes over the displacement and the velocity that the wall has.
+  /// Takes over the present displacement and velocity of the wall.
   void start(S& solver) override {
     double const now = solver.time();
     auto const of_all = motion_of_body<Wall>(solver.settings().motion);
@@ -93,7 +94,7 @@ class LoadControl : public Component<S> {
     motion_.way = of_group.displaced(origin, 0.0, now);
     motion_.since = now;
   }
-  /// Whether it is time to change the velocity of the wall.
+  /// Whether a change of the velocity of the wall is due.
   bool is_due(S const& solver) const override {
     return solver.steps() == 0 || has_come(motion_.since + interval_, solver.time());
   }
@@ -108,12 +109,13 @@ class LoadControl : public Component<S> {
     motion_ = motion_.turned_to(next * settings_.direction, solver.time());
     give_motion_to(solver);
   }
-  /// The pressure when the velocity was changed last, Pa.
+  /// Returns the pressure at the last change of the velocity, Pa.
   double pressure() const { return pressure_; }
-  /// The way of the wall along the direction at a time (s) not before that, m.
+  /// Returns the displacement of the wall along the direction (m) at a time (s) not before the last change of the
+  /// velocity.
   double way(double time) const { return motion_.displaced(X(X::Zero()), 0.0, time).dot(settings_.direction); }
 
-  /// Returns the settings that a run that continues must share: group, direction, area and speed of sound.
+  /// Returns the settings that a continued run must share: group, direction, area and speed of sound.
   std::string signature() const override {
     std::string text = "load on " + settings_.group + ": along";
     for (int axis = 0; axis < dim; ++axis) (text += ' ') += detail::formatted("%.17g", settings_.direction[axis]);

@@ -14,11 +14,12 @@
 #include <type_traits>
 #include <vector>
 
-// Checks of the positions of a solver where its particles are.
+// Checks of the particle positions of a solver in the execution space.
 namespace scree::detail {
 
-/// The bodies that evolve, then those for which for_each(visit) calls visit.operator()<Body>(). Returns none if others
-/// share the case, or if the memory is too small for this number of bytes for each particle.
+/// Returns the particles of the evolving bodies, followed by those of the bodies for which for_each(visit) calls
+/// visit.operator()<Body>(). Returns std::nullopt if the case has several ranks, or if the free memory is less than
+/// `bytes` for each particle.
 template <class P, class Sys, class ForEach>
 [[gnu::cold]] std::optional<Spots<typename P::space>> spots_of(Sys const& system, double bytes,
                                                                ForEach const& for_each) {
@@ -40,8 +41,9 @@ template <class P, class Sys, class ForEach>
   return spots;
 }
 
-/// Calls use(look) with a StartIn of all particles of a system. Returns false, without a call, if the host has to check
-/// them: if others share the case, memory is short, or too many are in one bucket.
+/// Calls use(look) with a StartIn of all particles of a system. Returns false, without calling it, if the particles
+/// must be checked on the host: if the case has several ranks, if memory is short, or if one bucket contains too many
+/// particles.
 template <class P, class Sys, class Use>
 [[gnu::cold]] bool look_in_space(Sys const& system, SolverSettings<P> const& settings, Use const& use) {
   using Space = typename P::space;
@@ -61,10 +63,11 @@ struct MarkPlates {
   int first;
   SCREE_FN void operator()(int i) const { marks(first + i) = columns.load(fields::on_plate, i) > 0; }
 };
-/// Whether no particle of a wall is where the wall is too thin. The walls are the bodies for which
-/// for_each_wall(visit) calls visit.operator()<Body>(); `means`: all but plates show means of the material;
-/// turning.operator()<Body>() returns which particles of a body turn, none if it is empty. Returns false if the host
-/// has to look: where there are such particles, or the device cannot.
+/// Returns whether the walls are thick enough at all of their particles. The walls are the bodies for which
+/// for_each_wall(visit) calls visit.operator()<Body>(). `means` is true if the boundary scheme gives walls means of the
+/// material, except on plates. turning.operator()<Body>() returns which particles of a body turn; if the result is
+/// empty, none do. Returns false if the host must check the walls, because some are too thin or the device cannot check
+/// them.
 template <class P, class Sys, class ForEachWall, class Turning>
 [[gnu::cold]] bool walls_are_thick(Sys const& system, double spacing, double support, bool means,
                                    ForEachWall const& for_each_wall, Turning const& turning) {
@@ -105,7 +108,7 @@ struct MarkLoaded {
     marks(i) = sigma[0] + sigma[1] + sigma[2] < 0;
   }
 };
-/// Which particles of the material are under pressure.
+/// Returns which particles of the material are under pressure.
 template <class Body>
 auto which_are_loaded(Body const& material) {
   using P = typename Body::policy;

@@ -20,12 +20,13 @@
 // Checks of the state of a solver: once before the first step, and whenever the limits of the step are evaluated.
 namespace scree::detail {
 
-/// The name of an evolving body in messages about its particles; empty if no other evolves.
+/// The name of an evolving body in messages about its particles; empty if no other body evolves.
 template <class P, class Body>
 inline constexpr std::string_view name_among_evolving = evolving_bodies<P>::count > 1 ? std::string_view(Body::name)
                                                                                       : std::string_view();
 
-/// Runs an action of a step. If it throws, a value that is not finite is the likely cause, so that is reported instead.
+/// Runs an action of a step. If the action throws std::runtime_error, a value that is not finite is the likely cause;
+/// if there is one, it is reported instead.
 template <class P, class Action>
 auto or_name(SolverState<P> const& state, Action const& action) {
   try {
@@ -39,7 +40,7 @@ auto or_name(SolverState<P> const& state, Action const& action) {
   }
 }
 
-/// The largest diameter of the grains of a physics model, m; that of its mechanics if it is a combined one.
+/// Returns the largest grain diameter of a physics model, m; for combined models, that of the mechanics.
 template <class Physics>
 double largest_grains_of(Physics const& physics) {
   if constexpr (requires { physics.mechanics; })
@@ -49,7 +50,7 @@ double largest_grains_of(Physics const& physics) {
   else
     return 0;
 }
-/// A warning of grains that are ten times larger than the particles, or more, with a spacing (m); empty for others.
+/// Returns a warning if the diameter of the grains (m) is more than ten times the spacing (m); otherwise an empty text.
 [[gnu::cold]] inline std::string warning_of_grains(double diameter, double spacing) {
   if (!(diameter > 10 * spacing)) return "";
   return formatted(
@@ -69,8 +70,8 @@ void warn_of_models(SolverState<P> const& state) {
   }
   if (!text.empty()) settings.warn(text);
 }
-/// Warns of a state for which a model is not suited, once for each model. Two successive checks must find it, because a
-/// flow that starts passes through such states. The intervals between checks double, up to 16384 steps.
+/// Warns of a state for which a model is not suited, once for each model. Two successive checks must find such a state,
+/// because a flow passes through such states while it starts. The intervals between checks double, up to 16384 steps.
 template <class P>
 [[gnu::cold]] void warn_of_state(SolverState<P>& state) {
   auto const& settings = state.settings;
@@ -96,7 +97,7 @@ template <class P>
   if (!given.empty() && settings.warn && state.system.whole_case().reports())
     settings.warn(given + formatted("; found at %.6g s, after step %ld", state.clock.time, steps));
 }
-/// Checks the settings that depend on each other.
+/// Checks, once, the settings that depend on each other.
 template <class P>
 void check_settings_once(SolverState<P>& state) {
   if (state.settings_checked) return;
@@ -138,7 +139,7 @@ constexpr bool explain_limits() {
   }
   return false;
 }
-/// Checks the values of the present state, and returns the limits of the step that the physics has.
+/// Checks the values of the present state, and returns the time step limits of the physics.
 template <class P>
 std::vector<TimeStepLimit> limits_now(SolverState<P> const& state) {
   auto const& settings = state.settings;
@@ -163,16 +164,16 @@ std::vector<TimeStepLimit> limits_now(SolverState<P> const& state) {
   return all;
 }
 
-/// The limits of a step, beginning with the limits of the physics.
+/// The limits of a time step, beginning with the limits of the physics.
 struct LimitsOfStep {
   std::vector<TimeStepLimit> all;
   std::size_t of_physics = 0;
 };
-/// Checks the state and finds the limits of the step.
+/// Checks the state and returns the limits of the time step.
 template <class P>
 LimitsOfStep look(SolverState<P>& state, TimeStepControl& control, PositionChecks<P>& checks) {
   auto const& settings = state.settings;
-  // A fault that is found now is not caused by outdated lists.
+  // Any fault found after this line is not caused by outdated neighbour lists.
   if (state.system.whole_case().is_shared()) state.system.stop_if_trial_failed();
   state.followers.check(settings.motion, state.clock.time);
   checks.walls_now_and_then(state.system, settings, state.clock.steps);
@@ -194,7 +195,8 @@ template <class P>
   state.paths_until = until, state.paths_due = state.clock.steps + 32;
 }
 
-/// The distance (m) of a body from its position by a motion at a time (s), beyond rounding.
+/// Returns the largest distance (m), beyond rounding, between the particles of a body and the positions that a motion
+/// gives them at present.
 template <class Body, class P>
 [[gnu::cold]] double misplaced(SolverState<P> const& state, typename P::motion const& motion) {
   using real = typename P::real;
@@ -213,8 +215,8 @@ template <class Body, class P>
   auto const& whole_case = state.system.whole_case();
   return whole_case.anywhere(std::isnan(farthest)) ? farthest : whole_case.largest(farthest);
 }
-/// Throws std::invalid_argument unless all bodies that follow the motion are where a motion, called `name`, puts them
-/// now.
+/// Throws std::invalid_argument unless all bodies that follow the motion are where a given motion puts them at present.
+/// `name` denotes the given motion in the message.
 template <class P>
 [[gnu::cold]] void check_places(SolverState<P> const& state, typename P::motion const& motion, char const* name) {
   for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {
@@ -226,8 +228,8 @@ template <class P>
                     name, std::string(Body::name).c_str(), far, state.clock.time));
   });
 }
-/// Throws std::invalid_argument unless the motion of the settings fits the positions of the bodies, once after a
-/// snapshot was restored: the run that wrote it may have had another motion.
+/// Checks, once after a snapshot was restored, whether the motion of the settings fits the positions of the bodies,
+/// because the run that wrote the snapshot may have had another motion. Throws std::invalid_argument if it does not.
 template <class P>
 void check_places_once(SolverState<P>& state) {
   if (state.places_checked) return;

@@ -12,11 +12,12 @@
 #include <stdexcept>
 #include <vector>
 
-// Particles of the material that come and go between steps: by hand, through inlets, drains and open ends. The ranks of
-// a case call these functions together, with the same arguments, and get the same results.
+// Particles of the material that are added or removed between steps: by the user, or through inlets, drains and open
+// ends. All ranks of a case call these functions together, with the same arguments, and get the same results.
 namespace scree::detail {
 
-/// Adds particles, which have no neighbours until SolverState::particles_changed(); returns their volume, m^dim.
+/// Adds particles, which have no neighbours until SolverState::particles_changed() is called; returns their total
+/// volume, m^dim.
 template <class P, class... Fs, class... Values>
 double add_particles(SolverState<P>& state, std::vector<typename SolverState<P>::vector> const& points,
                      StartWords const& words, StartWords const& at_walls, Given<Fs, Values> const&... values) {
@@ -29,8 +30,8 @@ double add_particles(SolverState<P>& state, std::vector<typename SolverState<P>:
   state.followers.confines().add_material(points);
   return added;
 }
-/// Removes particles, and returns fields of them; the remaining ones have no neighbours until
-/// SolverState::particles_changed().
+/// Removes the particles that satisfy a condition, and returns the given fields of the removed particles. The remaining
+/// particles have no neighbours until SolverState::particles_changed() is called.
 template <class P, class Condition, class List>
 auto remove_particles(SolverState<P>& state, Condition const& condition, List fields) {
   ProfilingRegion const region("scree::remove");
@@ -43,7 +44,7 @@ auto remove_particles(SolverState<P>& state, Condition const& condition, List fi
   return removed;
 }
 
-/// Returns the action of a drain: it removes the particles that satisfy a condition, counts them and passes them to
+/// Returns the action of a drain, which removes the particles that satisfy a condition, counts them and passes them to
 /// `receive`.
 template <class P, class Condition, class List, class Receive>
 auto emptied(Condition const& within, List handed, Receive const& receive) {
@@ -54,7 +55,7 @@ auto emptied(Condition const& within, List handed, Receive const& receive) {
     if (!gone.empty()) receive(now.clock.time, gone);
   };
 }
-/// Warns of full layers that rain between rough walls, within 45 degrees of gravity, faster than `most` (m/s).
+/// Warns if an inlet rains full layers between rough walls, within 45 degrees of gravity and faster than `most` (m/s).
 template <class P>
 [[gnu::cold]] void warn_of_block(SolverState<P> const& state, Inlet<P::dim> const& inlet, double most) {
   auto const& settings = state.settings;
@@ -63,7 +64,7 @@ template <class P>
   bool const falls = inlet.velocity.dot(g) > 0.7 * speed * g.norm();
   if (!(speed > most) || !falls || !rains_in_full(inlet, settings.spacing)) return;
   bool beside = false;
-  auto const box = corners_of(inlet.layer);  // most walls are far from it
+  auto const box = corners_of(inlet.layer);  // most wall particles are far from the inlet
   for_each_body(not_rigid_among<following_bodies<P>>{}, [&]<class Body>() {
     auto const& walls = state.system.template body<Body>();
     auto const x = walls.to_host(fields::position);
@@ -114,7 +115,7 @@ void add_inlet(Openings<S, SolverState<P>>& openings, SolverState<P> const& stat
                            .remedy =
                                "material has backed up to the inlet: move the inlet farther from it, feed less "
                                "(`rate`, `duration`) or remove material (`drain`)"};
-    // A layer on its own inside of a wall has a density of about 1.5; beside walls it has 1.05 at most.
+    // A single layer inside a wall has a density of about 1.5; a layer beside walls has 1.05 at most.
     StartWords const at_walls{.when = words.when,
                               .may_be_sparse = true,
                               .remedy =

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <type_traits>
 
-// A formulation that replaces one with a mistake while the compiler reads the rest of a program, so that it reports
-// only the mistake. None of this ever runs.
+// A formulation that replaces a faulty one while the compiler processes the rest of a program, so that the compiler
+// reports only the fault. None of this code ever runs.
 namespace scree::detail {
 
 struct NothingEvolves {
@@ -25,7 +25,7 @@ template <class P>
 requires((P::dim == 2 || P::dim == 3) && std::is_floating_point_v<typename P::real>) struct dimension_and_real<P> {
   using type = Formulation<P::dim, typename P::real>;
 };
-/// Evolves nothing, and carries the fields that programs usually write or set.
+/// A formulation that evolves nothing, with the fields that programs usually write or set.
 template <class P>
 struct StandIn : dimension_and_real<P>::type {
   using physics = NothingEvolves;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Snapshots of the state of a solver, and the way back.
+// Saving the state of a solver in snapshots, and restoring it.
 namespace scree::detail {
 
 inline constexpr char const* next_look_name = "next look at step limits";
@@ -19,7 +19,7 @@ template <class P>
 SnapshotArray confines_head() {
   return head_of<typename SolverState<P>::vector>("confines/material", "m");
 }
-/// The number of particles that were added to the bodies that evolve, from the turnover of each.
+/// Returns the number of particles that were added to the evolving bodies, from the turnover of each body.
 template <class P, class TurnoverOf>
 long added_to_evolving(TurnoverOf const& turnover_of) {
   long all = 0;
@@ -27,7 +27,7 @@ long added_to_evolving(TurnoverOf const& turnover_of) {
   return all;
 }
 
-/// The snapshot of a state. Throws std::runtime_error if values that evolve are not finite.
+/// Returns the snapshot of a state. Throws std::runtime_error if evolving values are not finite.
 template <class P>
 Snapshot snapshot_of_state(SolverState<P> const& state) {
   ProfilingRegion const region("scree::snapshot");
@@ -50,8 +50,9 @@ Snapshot snapshot_of_state(SolverState<P> const& state) {
 inline long next_look_of(Snapshot const& snapshot) {
   return counter_within(snapshot, next_look_name, 0, snapshot.steps + TimeStepControl::rarest_look);
 }
-/// Sets a state to that of a snapshot, whose components have a signature. `read` reads what these need, before anything
-/// is changed. Throws std::runtime_error, and changes nothing, if the snapshot does not fit.
+/// Restores a state from a snapshot. `signature` is the signature of the components of the solver, and `read` reads the
+/// data of the components before anything is changed. Throws std::runtime_error, and changes nothing, if the snapshot
+/// does not fit.
 template <class P>
 void restore_state(SolverState<P>& state, Snapshot const& snapshot, std::string const& signature,
                    std::function<void()> const& read) {
@@ -61,7 +62,7 @@ void restore_state(SolverState<P>& state, Snapshot const& snapshot, std::string 
   using vector = typename SolverState<P>::vector;
   std::vector<vector> confines;
   restore_into(state.system, snapshot, signature, [&](auto const& turnovers) {
-    next_look_of(snapshot);  // within its range
+    next_look_of(snapshot);  // throws if out of range
     read();
     if (added_to_evolving<P>([&]<class Body>() { return turnovers[body_index<Body, typename P::bodies>()]; }) > 0)
       confines = values_of<vector>(matching_array(snapshot, confines_head<P>()));
@@ -72,7 +73,7 @@ void restore_state(SolverState<P>& state, Snapshot const& snapshot, std::string 
   state.clock.steps = snapshot.steps;
 }
 
-/// The snapshot of a solver with its components.
+/// Returns the snapshot of a solver with its components.
 template <class P>
 Snapshot snapshot_with(AttachedComponents const& components, SolverState<P> const& state) {
   Snapshot result = snapshot_of_state(state);
@@ -80,7 +81,7 @@ Snapshot snapshot_with(AttachedComponents const& components, SolverState<P> cons
   components.save(result, state.clock.steps);
   return result;
 }
-/// Sets a solver and its components to a snapshot. Throws as restore_state() does.
+/// Restores a solver and its components from a snapshot. Throws as restore_state() does.
 template <class S, class P>
 void restore_with(Components<S>& components, S& solver, SolverState<P>& state, Snapshot const& snapshot) {
   std::vector<std::function<void()>> set_components;

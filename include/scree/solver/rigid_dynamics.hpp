@@ -26,7 +26,7 @@
 #include <type_traits>
 #include <vector>
 
-// Moves the rigid bodies of a solver.
+// The motion of the rigid bodies of a solver.
 namespace scree::detail {
 
 template <class Physics, class Body>
@@ -34,8 +34,8 @@ concept GivesReactions = requires(Physics const& physics) {
   std::tuple_size<decltype(physics.template reaction_passes<Body>(Resolution{}))>::value;
 };
 
-/// Throws std::invalid_argument unless the bodies move at right angles to the periods: particles that leave a period
-/// would come back at another point of the body.
+/// Throws std::invalid_argument unless the bodies move perpendicular to the periodic directions: a particle that leaves
+/// through a periodic boundary would re-enter at another point of the body.
 template <int Dim>
 [[gnu::cold]] void check_periods(std::vector<Rigid<Dim>> const& bodies, std::vector<Period> const& periods) {
   for (Period const& period : periods)
@@ -51,15 +51,16 @@ template <int Dim>
     }
 }
 
-/// Whether forces are exact sums: for cases that may be divided, and for searches whose sums do not depend on the order
-/// of the particles in memory.
+/// Whether forces are summed exactly: for cases that may have several ranks, and for neighbour searches whose sums do
+/// not depend on the order of the particles in memory.
 template <class P>
 inline constexpr bool sums_exactly =
     DividesCase<typename P::template ghosts<basis_of<P>>> ||
     std::is_same_v<typename cells_of<basis_of<P>, typename P::template search<basis_of<P>>>::type,
                    CellList<basis_of<P>, ByPosition>>;
 
-/// The fields of a list that evolve with `Some` fields of the material: these, or those of rigid bodies.
+/// The fields of the list `Evolved` that are updated with the fields `Some` of the material: fields of the material or
+/// of rigid bodies.
 template <class P, class Some, class Evolved>
 struct evolved_with_fields {
   using type = Common<Some, Evolved>;
@@ -89,7 +90,8 @@ class RigidDynamics {
                 "rigid bodies need a function reaction_passes<Body>(resolution) of the physics, which computes "
                 "`wall_force` of a body after the rates, as Granular has it");
 
-  /// Throws std::invalid_argument if the particles have other groups than there are rigid bodies.
+  /// Sets the initial states. Throws std::invalid_argument as check_periods() does, and unless each rigid body has one
+  /// group with particles, in the same order.
   template <class Sys, class AtStart>
   RigidDynamics(Sys& system, SolverSettings<P> const& settings, AtStart const& all) : settings_(settings.rigid) {
     BodyAtStart<Vec<dim, typename P::real>> const& start = all.template of<Body>();
@@ -115,19 +117,20 @@ class RigidDynamics {
     start_states(system);
   }
 
-  /// Throws as check_extent() does, for each body.
+  /// Runs check_extent() for each body, and throws as it does.
   [[gnu::cold]] void check_start(double spacing) const {
     for (std::size_t k = 0; k < extents_.size(); ++k)
       check_extent(settings_.bodies[k], extents_[k], spacing, static_cast<int>(k));
   }
-  /// Throws as scree::detail::check_inside() does.
+  /// Runs scree::detail::check_inside() for all bodies, and throws as it does.
   template <class Sys, class Box>
   [[gnu::cold]] void check_inside(Sys const& system, Box const& box, double support) const {
     auto const centres = system.template body<RigidStates>().to_host(fields::rigid_centre);
     detail::check_inside<dim>(centres, extents_, box.low, box.high, support);
   }
 
-  /// Call this when all particles have their rest positions, and again when those of walls change.
+  /// Prepares contact and springs. This function must be called when all particles have their rest positions, and again
+  /// when the rest positions of walls change.
   template <class Sys>
   void prepare(Sys& system, SolverSettings<P> const& settings) {
     system.whole_case().require_all_here();
@@ -135,7 +138,7 @@ class RigidDynamics {
     springs_.prepare(system.space(), settings_);
   }
   BodyContact<P> const& contact() const { return contact_; }
-  /// Brings the forces of the present rates up to date.
+  /// Updates the forces on rigid bodies for the present rates.
   template <class Sys>
   void update_forces(Sys& system, typename P::physics const& physics, Resolution const& resolution) {
     run_passes(system, physics.template reaction_passes<Body>(resolution));
@@ -143,8 +146,8 @@ class RigidDynamics {
     sums_.run(system.template whole<Body>(), system.template body<RigidStates>());
     springs_.update(system.template body<RigidStates>());
   }
-  /// An update of the rigid bodies by the forces of the rates that were evaluated last: `function` returns a function
-  /// of one particle for a list of fields that evolve. Their particles follow with place().
+  /// Updates the rigid bodies by the forces from the last evaluation of the rates. `function` takes a list of evolving
+  /// fields and returns a function of one particle. place() then moves the particles of the bodies.
   template <class Sys, class Function>
   void advance(Sys& system, typename P::physics const& physics, Function const& function) const {
     auto const of_body = function(RigidEvolves{});
@@ -160,7 +163,8 @@ class RigidDynamics {
                                Update{of_body, gravity_on_bodies(physics), constants_});
     contact_.advance(system, function(StretchEvolves{}));
   }
-  /// Moves the particles to where their bodies are, and turns the surfaces of these and of walls at a time (s).
+  /// Moves the particles of rigid bodies with their bodies, and rotates the surface normals of rigid bodies and of
+  /// walls. `time` (s) applies to the walls.
   template <class Sys>
   void place(Sys& system, typename P::motion const& motion, double time) const {
     using Given = Common<Fields<Velocity, Acceleration, VelocityGradient>, scree::carried_fields<P, Body>>;
@@ -170,7 +174,8 @@ class RigidDynamics {
                              in_turn<Basis>(Place<Motions, Given>{motions, 0}, contact_.turning_with(motions)));
     contact_.turn_walls(system, motion, time);
   }
-  /// The steps in which no body turns or moves too far, contact and springs are resolved. It waits for the device.
+  /// Returns the time step limits that keep every body from turning or moving too far, and that resolve contact and
+  /// springs. Synchronizes with the device.
   template <class Sys>
   [[gnu::cold]] std::array<TimeStepLimit, 3> limits(Sys const& system, typename P::physics const& physics,
                                                     double spacing) const {
@@ -239,7 +244,7 @@ class RigidDynamics {
   RigidSprings<Basis> springs_;
 };
 
-/// For formulations without rigid bodies: does nothing.
+/// The replacement for RigidDynamics in formulations without rigid bodies; it does nothing.
 struct NoRigidDynamics {
   template <class... Unused>
   explicit NoRigidDynamics(Unused const&...) {}

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-// Changes of the state of a solver by hand.
+// Changes that the user makes to the state of a solver.
 namespace scree::detail {
 
-/// Gives a field of a body these values, one per particle.
+/// Sets a field of a body to the given values, one per particle.
 template <class Body, class P, Field F>
 void set_values(SolverState<P>& state, F field, std::vector<value_t<P, F>> const& values) {
   auto& body = state.system.template body<Body>();
@@ -38,7 +38,8 @@ void set_values(SolverState<P>& state, F field, std::vector<value_t<P, F>> const
   }
 }
 
-/// Checks that a motion fits the bodies that follow it: their groups, and fields that must agree with it.
+/// Checks whether a motion fits the bodies that follow it: their groups, and the fields that must agree with the
+/// motion.
 template <class P>
 [[gnu::cold]] void check_motion(SolverState<P> const& state, typename P::motion const& next) {
   check_settings_of(next);
@@ -59,8 +60,8 @@ template <class P>
     }(scree::carried_fields<P, Body>{});
   });
 }
-/// Goes on with another motion. After a restore the next step compares the positions, when all components have set the
-/// motion.
+/// Replaces the motion. After a restore, the positions are compared only in the next step, when all components have set
+/// the motion.
 template <class P>
 void set_motion(SolverState<P>& state, typename P::motion const& next) {
   state.busy.check_is_here();

@@ -16,7 +16,7 @@
 namespace scree {
 namespace detail {
 
-/// Throws std::invalid_argument if the number of particles in a collection of groups is not that of a body.
+/// Throws std::invalid_argument if a collection of groups and a body have different numbers of particles.
 template <int Dim>
 void check_number_in(Groups<Dim> const& groups, long of_body) {
   if (groups.size() != of_body)
@@ -28,7 +28,8 @@ void check_number_in(Groups<Dim> const& groups, long of_body) {
 
 /// Sets a field of the particles of one group from a function of their present positions (on the host); all other
 /// particles keep their values. `groups` are the groups from which the body was made, or other groups of the same
-/// particles in the same order. Throws std::invalid_argument if there is no such group.
+/// particles in the same order. Throws std::invalid_argument if there is no such group, or if `groups` and the body
+/// have different numbers of particles.
 template <class Body = Material, class S, Field F, int Dim, class Function>
 void set_group(S& solver, F field, Groups<Dim> const& groups, std::string const& name, Function const& function) {
   using namespace fields;

@@ -39,7 +39,7 @@ struct ranks_of_case<P> {
 /// The input of a solver except its particles.
 template <class P>
 struct SolverSettings {
-  double spacing = 0;                        ///< initial distance of the particles, m
+  double spacing = 0;                        ///< initial distance between particles, m
   double smoothing = 1.5;                    ///< smoothing length / spacing, 1.1 to 3; walls have `2 * smoothing` rows
   typename P::physics physics = {};          ///< the physics model with its law and parameters
   typename P::motion motion = {};            ///< the prescribed motion of the walls
@@ -47,17 +47,20 @@ struct SolverSettings {
   /// The rigid bodies, for a formulation with a body that derives from RigidBody.
   std::conditional_t<detail::has_rigid_bodies<typename P::bodies>, RigidBodies<P::dim>, NoRigidBodies> rigid = {};
   std::vector<Period> periods = {};  ///< directions in which the domain is periodic
-  /// Steps from one sorting of the material to the next, 0: never. Where particles mix, neighbours end up far apart in
-  /// memory, which costs time. Sorting moves the particles in all arrays; `identity` identifies them.
+  /// The number of steps from one sorting of the material to the next; 0: never. As particles mix, neighbours end up
+  /// far apart in memory, which costs time. Sorting changes the order of the particles in all arrays; `identity`
+  /// identifies them.
   int sort_period = 0;
-  /// Fraction of the material that may be more than a support outside the box around the walls and the positions given
-  /// to the material, which is open at the top and along periods, before a run stops, -; 1: all.
+  /// The fraction of the material that may be lost before a run stops, -; 1: all. Particles are lost if they are more
+  /// than a support outside the box around the walls and the positions given to the material; the box is open at the
+  /// top and along periods.
   double lost_share = 1e-3;
   /// Whether the first step is rejected if the particle positions are certainly wrong, see check_start().
   bool start_checks = true;
-  /// Receives the text of each warning; a warning does not stop the run. An empty function ignores them.
+  /// The function that receives the text of each warning; a warning does not stop the run. An empty function discards
+  /// all warnings.
   std::function<void(std::string const&)> warn = print_warning;
-  /// The ranks of the case, for a formulation whose case may have several (distributed/other_ranks.hpp).
+  /// The ranks of the case, for a formulation whose case may have several ranks (distributed/other_ranks.hpp).
   typename detail::ranks_of_case<P>::type ranks = {};
 
   /// Returns these settings. Throws std::invalid_argument if one is out of range.
@@ -71,7 +74,7 @@ struct SolverSettings {
     check_settings_of(rigid);
     return *this;
   }
-  /// Returns the same settings for a formulation that chooses the same under another name.
+  /// Returns the same settings for a formulation with the same choices under another name.
   template <class Q>
   requires std::is_same_v<detail::choices_of<P>, detail::choices_of<Q>>
   operator SolverSettings<Q>() const {
@@ -81,7 +84,7 @@ struct SolverSettings {
 };
 
 namespace detail {
-/// The settings of the ghosts of a system.
+/// Returns the settings of the ghost particles of a system.
 template <class P>
 auto ghost_settings(SolverSettings<P> const& settings) {
   using Ghosts = typename P::template ghosts<basis_of<P>>;

@@ -10,7 +10,8 @@
 namespace scree {
 namespace detail {
 
-/// A vector, or the value of a function of a point. Eigen's vectors can be called, too.
+/// Returns a given vector, or the value of a given function at a point. Eigen vectors can be called, too, so their
+/// member type `Scalar` tells them from functions.
 template <class X, class Normal, class Point>
 X vector_at(Normal const& normal, Point const& x) {
   if constexpr (requires { typename Normal::Scalar; })
@@ -21,9 +22,9 @@ X vector_at(Normal const& normal, Point const& x) {
 
 }  // namespace detail
 
-/// Makes a group of the wall a slip wall: `normal` is a vector or a function of the present position (m), of any length
-/// above zero; zero vectors make particles stick again, as they do at the start. Normals are fixed in space. Throws
-/// std::invalid_argument as SlipNormal::check_on_wall() does, or if there is no such group.
+/// Makes a group of the wall a slip wall. `normal` is a vector, or a function of the present position (m) that returns
+/// one, of any length above zero; zero vectors make particles stick again, as they do at the start. Normals are fixed
+/// in space. Throws std::invalid_argument as SlipNormal::check_on_wall() does, or if there is no such group.
 template <BodyTag Body = Wall, class S, int Dim, class Normal>
 void set_slip(S& solver, Groups<Dim> const& groups, std::string const& name, Normal const& normal) {
   using X = Vec<Dim, double>;

@@ -23,8 +23,8 @@
 
 namespace scree {
 
-/// Advances one formulation in time: makes it from particles, runs it, saves and restores its state. It only combines
-/// parts that can be used on their own: passes, an integrator, a motion, components.
+/// A solver for one formulation. It is made from particles, advances them in time, and saves and restores its state.
+/// The solver only combines parts that can be used on their own: passes, an integrator, a motion, components.
 template <class P>
 class Solver {
   using Choices = detail::choices_of<P>;
@@ -39,15 +39,15 @@ class Solver {
   using Evolved = evolved_fields<typename P::physics::evolves>;
   using Observers = std::vector<Observer<Solver>>;
   static constexpr bool evolves_position = detail::evolves_position<P>;
-  static constexpr bool has_stress = OneOf<Stress, material_fields<P>>;  // of the material
+  static constexpr bool has_stress = OneOf<Stress, material_fields<P>>;  // whether the material carries the stress
   static constexpr bool has_rigid_bodies = detail::has_rigid_bodies<typename P::bodies>;
   static constexpr bool has_ranks = detail::DividesCase<typename P::template ghosts<Basis>>;
 
-  /// Makes the solver from the particles of the material and the walls, on an instance of the execution space: from
-  /// positions (m) or named groups (fields/groups.hpp). Instead, each rank of a case may give its share of them
-  /// (fields/shared_points.hpp); then all bodies must be given as shares. Every particle gets the volume spacing^dim;
-  /// bodies that carry `group` get the numbers of their groups. Throws std::invalid_argument if the motion is by group
-  /// and one of the groups is unknown to it.
+  /// Makes the solver on an instance of the execution space, from the particles of the material and the walls, given as
+  /// positions (m) or named groups (fields/groups.hpp). Alternatively, each rank of a case gives its share of the
+  /// particles (fields/shared_points.hpp); then all bodies must be given as shares. Every particle gets the volume
+  /// spacing^dim; bodies that carry `group` get the numbers of their groups. Throws std::invalid_argument if the motion
+  /// is given by group and lacks one of the groups.
   template <class A = std::vector<vector>, class B = std::vector<vector>>
   requires(detail::are_particles<A, B>) Solver(Space const& space, SolverSettings<P> const& settings, A const& material,
                                                B const& wall = {}, detail::PointsFit<vector, A, B> = {})
@@ -73,7 +73,7 @@ class Solver {
   template <Label mistake =
                 "the settings or points do not fit: each name in the braces must be a member of SolverSettings, in the "
                 "order of its members; with SolverSettings<F>{...} for {...} the compiler says which one is wrong">
-  explicit Solver(...) = delete;  // SolverSettings<F>{...} for {...}: the compiler then says which name is wrong
+  explicit Solver(...) = delete;  // with SolverSettings<F>{...} for {...}, the compiler says which name is wrong
 
   Solver(Solver&&) = default;
   Solver& operator=(Solver&& other) {
@@ -84,62 +84,65 @@ class Solver {
   }
   Solver(Solver const&) = delete;  // a copy would share the fields; another solver can restore() this one's snapshot()
 
-  /// The particles of a body.
+  /// Returns the particles of a body.
   template <BodyTag Body>
   auto const& body() const {
     return state_.system.template body<Body>();
   }
-  /// The particles of the material.
+  /// Returns the particles of the material.
   auto const& material() const { return body<Material>(); }
-  /// The particles of the walls.
+  /// Returns the particles of the walls.
   auto const& wall() const { return body<Wall>(); }
-  /// A body of the whole case in the present state, including its particles on other ranks (fields/whole_body.hpp).
+  /// Returns a body of the whole case in the present state, including its particles on other ranks
+  /// (fields/whole_body.hpp).
   template <BodyTag Body = Material>
   auto whole() const {
     return state_.system.template whole<Body>(time());
   }
-  /// The execution space in which all loops of the solver run.
+  /// Returns the instance of the execution space in which all loops of the solver run.
   Space const& space() const { return state_.system.space(); }
-  /// The present time, s.
+  /// Returns the present time, s.
   double time() const { return state_.clock.time; }
-  /// The number of steps since the start.
+  /// Returns the number of steps since the start.
   long steps() const { return state_.clock.steps; }
-  /// The number of builds of the neighbour lists.
+  /// Returns how often the neighbour lists were built.
   long neighbour_builds() const { return state_.system.neighbour_builds(); }
-  /// Agreement on what is true of the whole case: WholeCase (core/whole_case.hpp), or the same object as ranks().
+  /// Returns the object that answers questions about the whole case: WholeCase (core/whole_case.hpp), or the same
+  /// object as ranks().
   auto const& whole_case() const { return state_.system.whole_case(); }
-  /// The ranks of a case that may have several: OtherRanks of the first body.
+  /// Returns the ranks of a case that may have several ranks: OtherRanks of the first body.
   auto const& ranks() const { return whole_case(); }
-  /// The number of times that a run on a GPU repeated steps because neighbour lists expired earlier than expected.
+  /// Returns how often a run on a GPU repeated steps because neighbour lists expired earlier than expected.
   long failed_trials() const { return state_.system.failed_trials(); }
-  /// For each time step limit, the number of steps whose length it determined.
+  /// Returns, for each time step limit, the number of steps whose length it determined.
   std::map<std::string, long> const& limits() const { return state_.clock.control.counts(); }
-  /// A note if the motion, the rigid bodies or a component has required steps shorter than a tenth of those of the
-  /// physics model: the first such limit, with both steps (s); "" if there was none. Progress prints it once.
+  /// Returns a note if the motion, the rigid bodies or a component has required steps shorter than a tenth of those of
+  /// the physics model. The note names the first such limit, with both steps (s); it is "" if there was none. Progress
+  /// prints the note once.
   std::string const& note_on_steps() const { return state_.note_on_steps; }
-  /// The settings of the solver; set_motion() changes their motion. The type is SolverSettings of the choices of P:
-  /// `auto const&` refers to the current settings, whereas a SolverSettings<P> is a copy.
+  /// Returns the settings of the solver; set_motion() changes the motion in them. The type is SolverSettings of the
+  /// choices of P: `auto const&` refers to the current settings, whereas a SolverSettings<P> is a copy.
   SolverSettings<Choices> const& settings() const { return state_.settings; }
-  /// Spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
+  /// Returns the spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
   Resolution resolution() const { return state_.resolution(); }
-  /// The number of particles that the solver was made with.
+  /// Returns the number of particles of the evolving bodies at the start, on all ranks.
   long particles_at_start() const { return state_.at_start; }
-  /// The numbers of particles that were added to and removed from the material, on all ranks: the number at the start +
-  /// added - removed is the number now.
+  /// Returns the numbers of particles that were added to and removed from the material, on all ranks: the present
+  /// number is the number at the start + added - removed.
   Turnover const& turnover() const { return state_.system.template turnover<Material>(); }
-  /// The number of particles of the material, on all ranks, that are more than a support outside the box around the
-  /// walls and the positions given to the material. The box is open at the top and along periods. Zero without walls
-  /// and where positions are prescribed.
+  /// Returns the number of particles of the evolving bodies, on all ranks, that are more than a support outside the box
+  /// around the walls and the positions given to the material. The box is open at the top and along periods. Returns
+  /// zero without walls, or if positions are prescribed.
   long lost() const {
     if constexpr (evolves_position) return detail::number_beyond(state_.system, state_.nothing_lost());
     return 0;
   }
 
-  /// Sets a field of a body from a function of points, one per particle (on the host). The function must return a
-  /// value: an Eigen expression would outlive the values it refers to. Throws std::invalid_argument for slip normals
-  /// that SlipNormal::check_on_wall() refuses; for volumes that are not positive or that, during a run, fit the
-  /// distances between the particles worse than the old ones (see `start_checks`); and for identities that are negative
-  /// or not unique.
+  /// Sets a field of a body to the values of a function at the given points, one point per particle (on the host). The
+  /// function must return a value: an Eigen expression would outlive the values it refers to. Throws
+  /// std::invalid_argument for slip normals that SlipNormal::check_on_wall() refuses; for volumes that are not positive
+  /// or that, during a run, fit the distances between the particles worse than the old ones (see `start_checks`); and
+  /// for identities that are negative or not unique.
   template <class Body = Material, Field F, class Points, class Function>
   void set(F field, Points const& points, Function const& function) {
     using List = typename std::remove_cvref_t<decltype(body<Body>())>::fields;
@@ -156,7 +159,7 @@ class Solver {
       if (state_.started && !whole_case().anywhere(!is_finite)) evaluate_again();
     }
   }
-  /// Sets a field of a body from a function of the present positions.
+  /// Sets a field of a body to the values of a function at the present positions.
   template <class Body = Material, Field F, class Function>
   void set(F field, Function const& function) {
     set<Body>(field, body<Body>().to_host(fields::position), function);
@@ -166,17 +169,18 @@ class Solver {
   requires(!Field<Name>) void set(Name const&, Others const&...) {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
   }
-  /// Replaces the motion of the walls. The new motion must give their present positions; their velocity may jump. Call
-  /// it between steps, as in Component::act(). Throws std::invalid_argument if a particle would jump; after restore()
-  /// the next step throws it instead. Snapshots do not contain the motion: the code that changes it also restores it.
+  /// Replaces the motion of the walls. The new motion must give the walls their present positions; the velocity may
+  /// jump. This function must be called between steps, for example in Component::act(). Throws std::invalid_argument if
+  /// a particle would jump; after restore(), the next step throws instead. Snapshots do not contain the motion: the
+  /// code that changes the motion must also restore it.
   void set_motion(typename P::motion const& motion) { detail::set_motion(state_, motion); }
 
   /// Adds particles to the material, with new identities:
   ///   solver.add(points, given(fields::velocity, u), given(fields::concentration, [](auto const& x) { return ...; }));
-  /// Each gets the volume spacing^dim unless a volume is given; other fields that are not given are zero. Throws
-  /// std::invalid_argument, and adds no particles, if they overlap with others or with walls, or if their distances or
-  /// volumes do not fit the spacing (see `start_checks`). Call it between steps, for example in an observer. The rates
-  /// are evaluated again.
+  /// Each particle gets the volume spacing^dim unless a volume is given; all other fields that are not given are zero.
+  /// Throws std::invalid_argument, and adds no particles, if the new particles overlap with others or with walls, or if
+  /// their distances or volumes do not fit the spacing (see `start_checks`). This function must be called between
+  /// steps, for example in an observer. The rates are evaluated again.
   template <class... Fs, class... Values>
   void add(std::vector<vector> const& points, Given<Fs, Values> const&... values) {
     if constexpr (detail::explain_population<P>()) {
@@ -195,8 +199,8 @@ class Solver {
   }
   /// Removes the particles of the material for which `condition(i)` is true. The condition is a function of a particle
   /// that names the fields it needs in `reads`, like a term. Returns the given fields of the removed particles (on the
-  /// host), one entry for each. Call it between steps. Throws std::invalid_argument if the `check()` of the condition
-  /// does: for a plane without a normal, or an empty block.
+  /// host), one entry per particle. This function must be called between steps. Throws std::invalid_argument if the
+  /// `check()` of the condition does, for instance for a plane without a normal or an empty block.
   template <class Condition, class... Fs>
   auto remove(Condition const& condition, Fields<Fs...> fields = {}) {
     if constexpr (detail::explain_population<P>()) {
@@ -207,14 +211,15 @@ class Solver {
     }
   }
   /// Reserves memory for a number of particles of the material, so that a lack of memory is reported before the run and
-  /// not while particles enter. Throws std::invalid_argument with the needed and the available memory. Neighbour lists
-  /// need additional memory.
+  /// not while particles enter. Throws std::invalid_argument, with the needed and the available memory, if the memory
+  /// does not suffice. Neighbour lists need additional memory.
   void reserve(int particles) {
     if constexpr (detail::explain_population<P>()) state_.system.template body<Material>().reserve(particles);
   }
   /// Adds an inlet (openings/inlet.hpp), which opens at the beginning of the next step or run. `values` are the fields
-  /// of the particles that enter, as for add(); the inlet gives their velocity. Throws std::invalid_argument for
-  /// settings that are out of range. A run throws it if particles that enter would overlap with others.
+  /// of entering particles, as for add(), except for the velocity, which the inlet gives. Throws std::invalid_argument
+  /// for settings that are out of range. A run throws std::invalid_argument if entering particles would overlap with
+  /// others.
   template <class... Fs, class... Values>
   void feed(Inlet<P::dim> const& inlet, Given<Fs, Values> const&... values) {
     static_assert(evolves_position, "inlets need a physics model that evolves the position of the material");
@@ -225,9 +230,9 @@ class Solver {
     }
   }
   /// Adds a drain: particles of the material for which `within(i)` is true are removed, as by remove(). If any are
-  /// removed, `receive(time, list)` is called with the time (s) and their identities, volumes and `fields`. A particle
-  /// is removed before it has moved by `reach` inside the drain, unless it moves farther in one step. Throws
-  /// std::invalid_argument for settings that are out of range.
+  /// removed, `receive(time, list)` is called with the time (s) and the identities, volumes and given fields of the
+  /// removed particles. A particle is removed before it has moved by `reach` inside the drain, unless it moves farther
+  /// in one step. Throws std::invalid_argument for settings that are out of range.
   template <class Condition, class... Fs, class Receive = detail::Ignore>
   void drain(Drain const& settings, Condition const& within, Fields<Fs...> = {}, Receive const& receive = {}) {
     if constexpr (detail::explain_population<P>()) {
@@ -246,45 +251,45 @@ class Solver {
                   "`using carries = Fields<Held>`");
     if constexpr (detail::explain_population<P>()) detail::add_open_end(openings(), state_, end, values...);
   }
-  /// The volume and number that entered through each inlet.
+  /// Returns the volume and the number of particles that entered through each inlet.
   std::vector<Passed> entered() const { return openings_ ? openings_->entered() : std::vector<Passed>(); }
-  /// The volume and number that left through each drain.
+  /// Returns the volume and the number of particles that left through each drain.
   std::vector<Passed> left() const { return openings_ ? openings_->left() : std::vector<Passed>(); }
-  /// Attaches a component (run/component.hpp). It takes part from the next step or run on. Throws std::invalid_argument
-  /// if it is already attached.
+  /// Attaches a component (run/component.hpp), which becomes active with the next step or run. Throws
+  /// std::invalid_argument if the component is already attached.
   void attach(std::shared_ptr<Component<Solver>> component) {
     state_.busy.check_is_here();
     components_.attach(component);
     state_.limiters.push_back(std::move(component));
   }
 
-  /// Computes the rates of the present state, by the passes that a step runs for them.
+  /// Computes the rates of the present state by the same passes as a step.
   void update_rates() { detail::update_rates(state_, false); }
-  /// Runs the passes `diagnostics` of the formulation, which are for output only.
+  /// Runs the passes of the `diagnostics` of the formulation, which are for output only.
   void update_diagnostics() {
     ProfilingRegion const region("scree::diagnostics");
     run_passes(state_.system, detail::diagnostic_passes(settings().diagnostics, resolution(), settings().physics));
     if constexpr (has_rigid_bodies) state_.rigid.contact().add_to_walls(state_.system);
   }
-  /// The packing of the grains under pressure: the median of their number density over that at rest, and its 5 % and 95
-  /// % quantiles. The median is about 1 in beds and flows whose pressure follows the packing (docs/checks.md). Requires
-  /// the stress among the fields of the material. All ranks of a case call it together. It makes its own neighbour
-  /// search, so it is meant for output and not for each step.
+  /// Returns the packing of the grains under pressure: the median and the 5 % and 95 % quantiles of the ratio of their
+  /// number density to that at rest. The median is about 1 in beds and flows whose pressure follows the packing
+  /// (docs/checks.md). Requires the stress among the fields of the material. All ranks of a case must call this
+  /// function together. It runs its own neighbour search, so it is meant for output and not for each step.
   Packing packing() const {
     static_assert(has_stress, "packing() needs the stress of the material, which this formulation does not have");
     return detail::PositionChecks<Choices>::packing_under_pressure(state_.system, settings());
   }
-  /// The building blocks of time integrators, for the present state.
+  /// Returns the building blocks of time integrators for the present state.
   Stepper<Choices> stepper() { return Stepper<Choices>(state_); }
 
   /// Checks the present state as a run does: throws std::runtime_error if a value is not finite, and OutsideValidity if
-  /// the state is outside the validity of the model. A run makes this check whenever it evaluates the limits of the
-  /// step, at least every 256 steps, and at its end. It takes one sweep over the particles.
+  /// the state is outside the validity of the model. A run makes this check at its end and whenever it evaluates the
+  /// limits of the time step, at least every 256 steps. The check takes one sweep over the particles.
   void check_validity() const { detail::limits_now(state_); }
-  /// Makes the checks of the next step: of settings, positions, fields, walls and the limits of the step. Throws as the
-  /// step would. Components start, and act if they are due, for example inlets. Call it before a run to find errors
-  /// before something is done that cannot be undone, for instance before earlier results are replaced. The run makes
-  /// the same checks again, and its results do not change.
+  /// Runs the checks of the next step: of settings, positions, fields, walls and the limits of the time step. Throws as
+  /// that step would. Starts the components, and runs those that are due, for example inlets. This function may be
+  /// called before a run to find errors before anything irreversible is done, for instance before earlier results are
+  /// replaced. The run makes the same checks again, and its results do not change.
   void check_start() {
     begin();
     if (steps() == 0) return detail::check_step(state_);
@@ -293,7 +298,8 @@ class Solver {
     restore(before);
   }
   /// Advances by one step of at most `longest` (s); returns its length. Throws std::invalid_argument unless `longest`
-  /// is positive; it may be infinite if the physics model limits the step. Throws std::logic_error as run() does.
+  /// is positive; `longest` may be infinite if the physics model limits the step. Throws std::logic_error as run()
+  /// does.
   double step(double longest) {
     check_setting(longest > 0, "the length of a step (s)", longest, "above 0");
     detail::Busy::Hold const hold(state_.busy);
@@ -304,11 +310,11 @@ class Solver {
   }
   /// Runs until the given time (s), or until `stop`, which is called after each step, returns true; calls each observer
   /// at its times. If `asks` is given, `stop` is called only after steps for which `asks` returns true; on a GPU this
-  /// saves a synchronization in each step. If the case has several ranks, a function that returns true on one of them
-  /// counts as true on all, so that they stop after the same step. Throws std::invalid_argument for a time that is
-  /// negative or NaN, for an infinite time without `stop`, and if the steps have become so short that the run would not
-  /// end. Throws std::logic_error if the solver is already advancing, in a run whose observer makes this call or on
-  /// another thread, and if it was moved from.
+  /// saves a synchronization in each step. If the case has several ranks and one of these functions returns true on one
+  /// rank, this holds for all ranks, so that all stop after the same step. Throws std::invalid_argument for a time that
+  /// is negative or NaN, for an infinite time without `stop`, and if the steps have become so short that the run would
+  /// not end. Throws std::logic_error if the solver is already advancing, either on another thread or in a run whose
+  /// observer makes this call, and if the solver was moved from.
   void run(double until, Observers const& observers = {}, std::function<bool(Solver const&)> const& stop = {},
            std::function<bool()> const& asks = {}) {
     check_setting(until >= 0 && (stop || std::isfinite(until)), "the end of a run (s)", until,
@@ -356,15 +362,15 @@ class Solver {
   }
 
   /// Returns everything that the next step needs; a solver made from the same settings and particles continues from it
-  /// bit for bit. Throws as check_finite() does: no run can continue from such a state, and it must not overwrite a
-  /// good snapshot. If the case has several ranks, all of them call it together, and each gets the snapshot of the
-  /// whole case.
+  /// bit for bit. Throws as check_finite() does: no run can continue from a state that is not finite, and its snapshot
+  /// must not overwrite a good one. If the case has several ranks, all ranks must call this function together, and each
+  /// gets the snapshot of the whole case.
   Snapshot snapshot() const { return detail::snapshot_with(components_, state_); }
   /// Sets the solver to the state of a snapshot. Throws std::runtime_error, and leaves the solver unchanged, if the
-  /// snapshot is of another formulation or number of particles, if the motion is by group and the groups differ, or if
-  /// it has other inlets, drains or components; these must be given to the solver before. The next step throws
-  /// std::invalid_argument if the motion would put the walls elsewhere. If the case has several ranks, all of them
-  /// restore the same snapshot, which may come from any number of ranks.
+  /// snapshot is of another formulation or number of particles, if the motion is given by group and the groups differ,
+  /// or if the snapshot has other inlets, drains or components than the solver; these must be added to the solver
+  /// before this call. The next step throws std::invalid_argument if the motion would put the walls elsewhere. If the
+  /// case has several ranks, all ranks must restore the same snapshot, which may come from any number of ranks.
   void restore(Snapshot const& snapshot) { detail::restore_with(components_, *this, state_, snapshot); }
 
  private:
@@ -376,7 +382,7 @@ class Solver {
     detail::check_start_once(state_);
     components_.act(*this);
   }
-  /// One step, without the actions of components between steps.
+  /// Takes one step, without the actions of components between steps.
   double take_step(double longest) {
     ProfilingRegion const region("scree::step");
     double const dt = detail::take_step(state_, longest);
@@ -391,8 +397,8 @@ class Solver {
     state_.particles_changed();
     evaluate_again();
   }
-  /// Evaluates the rates again after the state was changed between steps, including those that are otherwise computed
-  /// at certain steps only.
+  /// Evaluates the rates again after the state was changed between steps, including rates that are otherwise computed
+  /// only at certain steps.
   void evaluate_again() {
     if (state_.started && !state_.restoring) detail::update_rates(state_, true);
   }

@@ -10,7 +10,7 @@
 
 namespace scree {
 
-/// The solver of a formulation with a mistake: the compiler has said which, and says little of the rest of the program.
+/// The solver of a faulty formulation. The compiler reports the fault, and little about the rest of the program.
 template <class P>
 requires(!detail::explain_formulation<P>()) class Solver<P> : public Solver<detail::StandIn<P>> {
  public:

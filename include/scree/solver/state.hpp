@@ -27,17 +27,18 @@ namespace scree::detail {
 struct Clock {
   double time = 0;  // s
   long steps = 0;
-  TimeStepControl control;  // of the length of steps
+  TimeStepControl control;  // control of the time step
 };
 
-/// Whether a model has found the state to be one for which it is not suited.
+/// The findings of a model about whether it is suited for the state.
 struct Doubt {
-  bool now = false;   // at the last check
+  bool now = false;   // the last check found the state unsuitable
   bool said = false;  // the warning was given
 };
 
-/// The state of a solver, except its components. The member functions construct it and return values that follow from
-/// it alone; the functions that advance it, change its particles and check it are in other headers of this folder.
+/// The state of a solver without its components. The member functions construct the state and return values that follow
+/// from it alone; the functions that advance the state, change its particles or check it are in other headers of this
+/// folder.
 template <class P>
 struct SolverState {
   using Space = typename P::space;
@@ -79,11 +80,11 @@ struct SolverState {
   }
   /// Whether the next step begins with sorting.
   bool sorts_now() const { return settings.sort_period > 0 && clock.steps % settings.sort_period == 0; }
-  /// The bound beyond which particles count as lost.
+  /// Returns the bound beyond which particles are lost.
   auto nothing_lost() const {
     return detail::nothing_lost(followers.box(settings.motion, clock.time), support(), settings);
   }
-  /// The largest coordinate of all particles, in magnitude, m.
+  /// Returns the largest absolute coordinate of all particles, m.
   double farthest() const { return std::max(farthest_of_rigid, followers.farthest(settings.motion, clock.time)); }
   /// Moves walls and the particles of rigid bodies to their positions at a time (s).
   void place_followers(double time) {
@@ -91,12 +92,12 @@ struct SolverState {
     rigid.place(system, settings.motion, time);
     system.positions_changed();
   }
-  /// Call this when particles were added or removed.
+  /// Updates the state after particles were added or removed.
   void particles_changed() {
     system.particles_changed();
     clock.control.look_before(clock.steps);
   }
-  /// The identity of the next particle that is added.
+  /// Returns the identity of the next particle that is added.
   long next_identity() const { return at_start + system.template turnover<Material>().added; }
 
   Busy busy;
@@ -108,18 +109,18 @@ struct SolverState {
   typename rigid_dynamics<P>::type rigid;
   std::vector<std::shared_ptr<StepLimiter const>> limiters;  // the components of the solver
   Clock clock;
-  long at_start = 0;             // particles of the bodies that evolve, of the whole case
-  double farthest_of_rigid = 0;  // coordinate of rigid bodies at the start, in magnitude, m
+  long at_start = 0;             // particles of the evolving bodies in the whole case
+  double farthest_of_rigid = 0;  // largest absolute coordinate of rigid bodies at the start, m
   std::string note_on_steps;
-  double paths_until = std::numeric_limits<double>::infinity();  // s, how far the motion was compared
-  long paths_due = 0;                                            // the step at which it is compared next
-  long models_due = 1024;     // the step of the next check of the state by the models
-  std::vector<Doubt> doubts;  // of each model
+  double paths_until = std::numeric_limits<double>::infinity();  // s, the motion was checked up to this time
+  long paths_due = 0;                                            // the step of the next check of the motion
+  long models_due = 1024;                                        // the step of the next check by the models
+  std::vector<Doubt> doubts;                                     // findings of each model
   bool settings_checked = false;
   bool started = false;        // the start has been checked
   bool places_checked = true;  // bodies are at the positions of their motion
-  bool moves_anew = false;     // the motion was set after a restore, and followers do not show it yet
-  bool restoring = false;      // components get their state
+  bool moves_anew = false;     // the motion was set after a restore and has not moved the walls yet
+  bool restoring = false;      // the components are being restored
 
  private:
   static scree::system_of<P>& begun(scree::system_of<P>& system, AtStart const& start) {
@@ -147,7 +148,7 @@ struct SolverState {
   }
 };
 
-/// The state of a solver before its first step.
+/// Returns the state of a solver before its first step.
 template <class P>
 SolverState<P> state_at_start(typename P::space const& space, ParticlesAtStart<P> const& start,
                               SolverSettings<P> const& settings) {

@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// The building blocks of time integrators: rates, limits and updates of the bodies of a solver, for one step. It
-/// refers to the state of the solver and is the first argument of `Integrator::advance(stepper, longest)`.
+/// The building blocks of time integrators: rates, limits and updates of the bodies of a solver, for one step. A
+/// stepper refers to the state of the solver and is the first argument of `Integrator::advance(stepper, longest)`.
 template <class P>
 class Stepper {
   using State = detail::SolverState<P>;
@@ -26,28 +26,28 @@ class Stepper {
   /// Refers to a state, which must outlive the stepper.
   explicit Stepper(State& state) : state_(state) {}
 
-  /// The number of steps since the start.
+  /// Returns the number of steps since the start.
   long steps() const { return state_.clock.steps; }
-  /// The time at the beginning of the step, s.
+  /// Returns the time at the beginning of the step, s.
   double time() const { return state_.clock.time; }
-  /// Spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
+  /// Returns the spacing, smoothing length and support of the kernel, m, and sums over the initial lattice.
   Resolution resolution() const { return state_.resolution(); }
-  /// The particles of a body.
+  /// Returns the particles of a body.
   template <BodyTag Body>
   auto const& body() const {
     return state_.system.template body<Body>();
   }
-  /// The particles of the material.
+  /// Returns the particles of the material.
   auto const& material() const { return body<Material>(); }
-  /// The particles of the walls.
+  /// Returns the particles of the walls.
   auto const& wall() const { return body<Wall>(); }
-  /// The instance of the execution space in which all loops run.
+  /// Returns the instance of the execution space in which all loops run.
   typename P::space const& space() const { return state_.system.space(); }
-  /// The settings of the solver.
+  /// Returns the settings of the solver.
   SolverSettings<P> const& settings() const { return state_.settings; }
 
   /// Computes the rates of the present state: runs all rate passes of the physics model and updates the forces on rigid
-  /// bodies. `afresh`: also the passes that otherwise run at certain steps only.
+  /// bodies. With `afresh`, also runs the passes that otherwise run only at certain steps.
   void update_rates(bool afresh = false) {
     ProfilingRegion const region("scree::rates");
     Resolution of_passes = resolution();
@@ -55,8 +55,8 @@ class Stepper {
     run_passes(state_.system, detail::rates_of(physics(), of_passes));
     update_rigid_forces();
   }
-  /// The length (s) of the step that the present state and rates allow, at most `longest`. Evaluates the limits of the
-  /// step if that is due, and checks the state with them.
+  /// Returns the length (s) of the step that the present state and rates allow, at most `longest` (s). If the limits of
+  /// the time step are due, evaluates them and checks the state.
   double choose_step(double longest) {
     auto& [time, steps, control] = state_.clock;
     if (control.must_look(steps)) {
@@ -78,9 +78,9 @@ class Stepper {
     update(function, detail::projections_of(physics(), resolution()), before, after);
   }
 
-  /// The stages of the physics model, in order, for staggered integrators that advance them by dt (s). With dt = 0
-  /// their passes compute the rates of the present state; an update with these rotates the stress to first order in the
-  /// step.
+  /// Returns the stages of the physics model, in order, for staggered integrators that advance them by dt (s). With dt
+  /// = 0, the passes of the stages compute the rates of the present state; an update with these rates rotates the
+  /// stress to first order in the time step.
   auto stages(double dt = 0) const {
     Resolution of_step = resolution();
     of_step.step = dt;
@@ -96,8 +96,8 @@ class Stepper {
   void evaluate(Stages const& all) {
     detail::with_values([&](auto const&... each) { (evaluate(each), ...); }, all);
   }
-  /// Updates the bodies that evolve, as update() does, but runs no projections and moves no other body: move() does
-  /// that, also for the particles of rigid bodies.
+  /// Updates the bodies that evolve, as update() does, but runs no projections and moves no other body. The other
+  /// bodies and the particles of rigid bodies are moved by move().
   template <class Function>
   void apply(Function const& function) {
     advance_rigid(function);
@@ -108,7 +108,8 @@ class Stepper {
     });
   }
   /// Advances some fields of each body that evolves by their rates times dt (s), in the order of the list. A rate that
-  /// is itself in the list is used after its own update. Like apply(), it moves no body that follows the motion.
+  /// is itself in the list is used after its own update. Like apply(), this function moves no body that follows the
+  /// motion.
   template <class Some>
   void add_rates(Some some, double dt) {
     apply(adding_rates(some, dt));
@@ -152,7 +153,7 @@ class Stepper {
     state_.place_followers(time() + after);
   }
 
-  /// One step of at most `longest` (s) by the integrator; returns its length.
+  /// Takes one step of at most `longest` (s) with the integrator; returns its length.
   double take(double longest) {
     double const dt = detail::or_name(state_, [&] { return advance_by_integrator(longest); });
     state_.clock.time += dt;
@@ -160,13 +161,14 @@ class Stepper {
     detail::or_name(state_, [&] { filter(); });
     return dt;
   }
-  /// Makes the checks of the next step, for which it computes the rates. It does not change the results of that step.
+  /// Runs the checks of the next step, for which it computes the rates. The checks do not change the results of that
+  /// step.
   void check() {
     detail::check_settings_once(state_);
     detail::or_name(state_, [&] {
       if (!state_.started) detail::check_particles(state_);
       detail::check_places_once(state_);
-      if (steps() == 0 || !state_.sorts_now()) {  // sorting builds lists of its own
+      if (steps() == 0 || !state_.sorts_now()) {  // sorting builds its own neighbour lists
         if (steps() > 0) state_.system.begin_step();
         update_rates();
       }
@@ -177,7 +179,7 @@ class Stepper {
   }
 
  private:
-  /// The update of one particle of a body. Particles that are held keep their velocity.
+  /// Returns the update of one particle of a body. The update keeps the velocity of held particles.
   template <class Body, class Function>
   static auto of_body(Function const& function) {
     using Carried = carried_fields<P, Body>;
@@ -186,8 +188,8 @@ class Stepper {
     else
       return detail::holding<Carried>(function);
   }
-  /// Returns a function that takes the list of fields that evolve in a body, and returns the update that adds their
-  /// rates times dt (s), for those that evolve together with `Some` fields of the material.
+  /// Returns a function that takes the list of evolving fields of a body and returns an update. The update adds the
+  /// rates times dt (s) of those fields that evolve together with the fields `Some` of the material.
   template <class Some>
   static auto adding_rates(Some, double dt) {
     return
@@ -241,7 +243,7 @@ class Stepper {
   void filter() {
     using Filters = decltype(detail::filters_of(physics(), resolution()));
     if constexpr (!std::is_same_v<Filters, detail::Tuple<>>) {
-      // The phase follows from the step count, which checkpoints contain.
+      // The phase follows from the number of steps, which snapshots contain.
       if (steps() % every_so_many(physics().filter_period()) != 0) return;
       ProfilingRegion const region("scree::filters");
       run_passes(state_.system, detail::filters_of(physics(), resolution()));
@@ -263,7 +265,7 @@ template <class P>
 double take_step(SolverState<P>& state, double longest) {
   return Stepper<P>(state).take(longest);
 }
-/// Makes the checks of the next step.
+/// Runs the checks of the next step.
 template <class P>
 void check_step(SolverState<P>& state) {
   Stepper<P>(state).check();

@@ -16,8 +16,8 @@
 namespace scree {
 namespace detail {
 
-/// Whether zeros are intended in a field that was not set: true if its declaration has a member `may_stay_zero`, and
-/// for fields that evolve unless their declaration has a member `above_zero`.
+/// Whether a field that was not set may begin with zeros: true if its declaration has a member `may_stay_zero`, or if
+/// the field evolves and its declaration has no member `above_zero`.
 template <class F, class Evolved>
 inline constexpr bool may_begin_at_zero = requires {
   F::may_stay_zero;
@@ -41,11 +41,11 @@ template <class P, class Tag, class Body>
   using Evolves = evolves_of<P, Tag>;
   using Evolved = std::conditional_t<evolves, evolved_fields<Evolves>, Fields<>>;
   using Given = std::conditional_t<FollowingBody<Tag>, detail::GivenByMotion, Fields<>>;
-  // A pass may also write a field that evolves, in place of its rate. Without passes nothing is meant to change.
+  // A pass may write an evolving field itself instead of its rate. Without passes, nothing is meant to change.
   using ByRate = Without<Evolves, written_fields<P, Tag>>;
   constexpr bool has_passes = !std::is_same_v<detail::all_passes_of<typename P::physics>, detail::Tuple<>>;
   using Rates = std::conditional_t<evolves && has_passes, rates_of_evolved<ByRate>, Fields<>>;
-  // A field that evolves begins with its initial value, also where a projection writes it.
+  // An evolving field begins with its initial value, even if a projection writes it.
   using Needed = Merge<body_fields<P, Tag>, Without<Common<Rates, typename Body::fields>, Evolved>>;
   using Open = Merge<Without<Needed, Merge<written_fields<P, Tag>, Given>>, Evolved>;
   [&]<class... Fs>(Fields<Fs...>) { (detail::require_set<Evolved>(body, Fs{}, Tag::name), ...); }(Open{});

@@ -12,17 +12,17 @@
 
 namespace scree {
 
-/// The load of the material on a group of wall particles; in 2D on a slice one metre deep.
+/// The load of the material on a group of wall particles; in 2D, the load on a slice one metre deep.
 template <int Dim>
 struct WallLoad {
-  /// In 2D a number, positive from the first towards the last axis as in Rotation, in 3D a vector.
+  /// The type of moments: in 2D a number, positive from the first axis towards the last as in Rotation; in 3D a vector.
   using Moment = std::conditional_t<Dim == 2, double, Vec<3, double>>;
-  std::string name;                                   ///< of the group
+  std::string name;                                   ///< name of the group
   Vec<Dim, double> force = Vec<Dim, double>::Zero();  ///< sum of F, N
   Moment moment = zero<Moment>();                     ///< sum of (x - about) x F, N m
   double power = 0;  ///< sum of F . u_w, W: the power that the group takes from the material
 
-  /// Adds the force (N) on a particle, with its arm (m) and its velocity (m/s).
+  /// Adds the force F (N) on a particle with the lever arm (m) and the velocity u (m/s) of the particle.
   void add(Vec<Dim, double> const& F, Vec<Dim, double> const& arm, Vec<Dim, double> const& u) {
     force += F;
     power += dot(F, u);
@@ -33,11 +33,11 @@ struct WallLoad {
   }
 };
 
-/// The loads on all groups of the wall in the present state, in their order, with moments about a point (m). Calls
-/// Solver::update_diagnostics(); the diagnostics must contain WallForces (granular/wall_forces.hpp) or another source
-/// of `wall_force`. `groups` are those that the wall was made from, or others of the same particles in the same order;
-/// throws std::invalid_argument if their number of particles differs. Positions are those of the particles, not of
-/// their periodic images.
+/// Returns the loads on all groups of the wall in the present state, in the order of the groups, with moments about a
+/// point (m). Calls Solver::update_diagnostics(); the diagnostics must contain WallForces (granular/wall_forces.hpp) or
+/// another source of `wall_force`. `groups` are the groups from which the wall was made, or other groups of the same
+/// particles in the same order. Throws std::invalid_argument if `groups` and the wall have different numbers of
+/// particles. Positions are those of the particles, not of their periodic images.
 template <BodyTag Body = Wall, class S, int Dim>
 std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
                                       std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
@@ -60,7 +60,7 @@ std::vector<WallLoad<Dim>> wall_loads(S& solver, Groups<Dim> const& groups,
   }
   return loads;
 }
-/// The load on one group. Throws std::invalid_argument if there is no such group.
+/// Returns the load on one group, as wall_loads() does. Throws std::invalid_argument if there is no such group.
 template <BodyTag Body = Wall, class S, int Dim>
 WallLoad<Dim> wall_load(S& solver, Groups<Dim> const& groups, std::string const& name,
                         std::type_identity_t<Vec<Dim, double>> const& about = zero<Vec<Dim, double>>()) {
