@@ -55,8 +55,8 @@ struct TwoSizes {
             scree::SegregationFlux::symmetric()};
   }
   static double mixed(Options const& o) { return o.segregation.share; }
-  /// Returns the concentration at the start of the particles [first, behind) of n, sorted from below or along x, which
-  /// have the same coordinate.
+  /// Returns the initial concentration of the particles [first, behind) of n, which are sorted by a coordinate and
+  /// share the same value of it.
   static double apart(Options const& o, double first, double behind, double n) {
     return std::clamp((o.segregation.share * n - first) / (behind - first), 0.0, 1.0);
   }

@@ -5,9 +5,8 @@
 //
 //   course_01_first_steps [duration in s]
 //
-// In ParaView, particles.vtkhdf can be coloured by the magnitude of velocity or by pressure. The table heap.csv has the
-// force on the walls, which peaks at the impact and then settles at the weight of the sand, and the pressure below the
-// heap.
+// In ParaView, colour particles.vtkhdf by the magnitude of velocity or by pressure. The table heap.csv has the force on
+// the walls, which peaks at the impact and then settles at the weight of the sand, and the pressure below the heap.
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/io/body_series.hpp>

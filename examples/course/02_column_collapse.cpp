@@ -62,7 +62,8 @@ int main(int argc, char** argv) {
            {every<S>(0.1 * fall_time,
                      [&](S& now) {
                        output.append(now);
-                       // Depth in slices two spacings wide; the front is where the deposit is 0.05 heights deep.
+                       // Depth in slices two spacings wide. The front is the farthest slice with a depth of 0.05
+                       // heights or more.
                        std::vector<double> depth(static_cast<std::size_t>(4 * across));
                        for (auto const& x : now.material().to_host(position))
                          depth.at(std::size_t(x[0] / (2 * dr))) += dr / 2;

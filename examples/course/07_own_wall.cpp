@@ -33,7 +33,7 @@ struct BeltLens {
   using reads = Fields<Position>;
   using reads_i = Merge<Fields<Position, Volume, Velocity, Stress>, typename Rho::reads>;
 
-  // Returns the velocity of j with which the mean velocity of i and j is the belt velocity.
+  // Returns the velocity of j for which the mean of the velocities of i and j is the belt velocity.
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const& i, J const&) const {
     using namespace scree::fields;

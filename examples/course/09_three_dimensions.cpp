@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
            {every<S>(0.1 * fall_time,
                      [&](S& now) {
                        output.append(now);
-                       // The rim is where rings two spacings wide are 0.05 heights deep.
+                       // Depth in rings two spacings wide. The rim is the outermost ring with a depth of 0.05 heights
+                       // or more.
                        std::vector<double> depth(static_cast<std::size_t>(2 * across));
                        for (auto const& x : now.material().to_host(position)) {
                          auto const ring = std::size_t(std::hypot(x[0], x[1]) / (2 * dr));

@@ -8,7 +8,7 @@
 //
 // In ParaView, particles.vtkhdf coloured by velocity shows how the bed rests, the gate takes 0.1 s to drop out of the
 // way, and the silo empties through the slot. In silo.csv the mass that has left grows at a constant rate while the bed
-// is high, and mass in + mass out is constant, to rounding.
+// is high, and mass in + mass out is constant to rounding error.
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>

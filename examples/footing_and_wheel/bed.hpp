@@ -94,7 +94,7 @@ inline Placed wheel_of(Options const& o) {
 }
 inline Placed placed(Options const& o) { return o.body.tool == Tool::strip ? strip_of(o) : wheel_of(o); }
 
-/// Returns a rough floor and smooth sides that are higher than the soil pushed up by the body.
+/// Returns the particles of a rough floor and of smooth sides that are higher than the soil pushed up by the body.
 inline scree::Groups<2> walls_of(Options const& o) {
   double const L = o.bed.length, top = 1.5 * o.bed.depth, t = 4 * o.numerics.spacing, dr = o.numerics.spacing;
   X const anchor(-t, -t);

@@ -55,8 +55,7 @@ struct Options {
   Output output;
 };
 
-/// Whether the slope is steeper than the angle at which flow starts and less steep than the angle up to which flow is
-/// steady.
+/// Whether the slope is between the angle above which the layer flows and the angle up to which flow is steady.
 inline bool flows_steadily(Options const& o) {
   auto const k = [](double mu) { return 3 * mu / std::sqrt(9 + 12 * mu * mu); };
   double const slope = std::tan(o.slope.angle * std::numbers::pi / 180);

@@ -123,8 +123,8 @@ scree::Groups<Dim> walls_of(Options const& o) {
   return walls;
 }
 
-/// The mass balance of the grains that have left through the outlet and of those inside, in total and for some kinds of
-/// grains. Masses are in kg, or in kg/m in the plane.
+/// The mass balance between the grains that have left through the outlet and the grains inside, in total and for some
+/// kinds of grains. Masses are in kg, or in kg/m in the plane.
 template <class Sizes>
 class Discharge {
  public:

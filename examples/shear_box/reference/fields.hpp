@@ -11,8 +11,8 @@
 // Solutions given by their values in cells: functions of height, and fields in two dimensions.
 namespace shear_box::reference {
 
-/// Cubic Lagrange interpolation between cell centres (i + 1/2) h, one-sided next to a wall. Interpolation is of fourth
-/// order, so its error is negligible in a second-order solution. At least four cells are needed.
+/// Weights of cubic Lagrange interpolation between cell centres (i + 1/2) h, one-sided next to a wall. Interpolation is
+/// of fourth order, so its error is negligible in a second-order solution. At least four cells are needed.
 struct CubicStencil {
   int first;  // index of the first of four cells
   std::array<double, 4> weight;

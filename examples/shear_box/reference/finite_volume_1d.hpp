@@ -118,8 +118,8 @@ class Column {
     for (int i = 0; i < n; ++i) result[i] = C[i] + dt / edge.h * (flux_[i + 1] - flux_[i]);
   }
 
-  // Returns three quarters of the step h^2/(2 D) at which the two edges of a cell would take all of its content. At
-  // that limit the method may not damp the shortest wave, which the initial jump contains, at all.
+  // Returns three quarters of the step h^2/(2 D) at which the two edges of a cell would take all of its content. With
+  // h^2/(2 D) itself the method might not damp the shortest wave at all, and the initial jump contains this wave.
   double euler_limit() const { return 0.75 * edge_.h * edge_.h / (2.0 * edge_.largest_diffusivity()); }
 
  private:

@@ -64,9 +64,9 @@ class ShearedBox {
     }
   }
 
-  // Returns the step at which a cell gives all of its content to its neighbours. In a step dt this is at most the
-  // fraction 2 (2 + gamma^2 - |gamma|) D dt/h^2 <= 4 D dt/h^2. Short vertical waves, which the initial jump contains,
-  // are damped well, because they involve only half of these edges.
+  // Returns the step h^2/(4 D). In a step dt a cell gives at most the fraction 2 (2 + gamma^2 - |gamma|) D dt/h^2 <= 4
+  // D dt/h^2 of its content to its neighbours. Short vertical waves, which the initial jump contains, are damped well,
+  // because they involve only half of these edges.
   double euler_limit() const { return edge_.h * edge_.h / (4.0 * edge_.largest_diffusivity()); }
 
  private:
@@ -158,7 +158,7 @@ std::vector<Field2d> solve_2d(Problem<Closure> const& problem, std::vector<doubl
   for (double time : times) {
     double const target = problem.closure.clock(time);
     while (now < target) {
-      // Steps end at quarter periods, where |gamma| (or, in the clock of (5.5), gamma) has kinks.
+      // Steps end at quarter periods, because |gamma| (or gamma as a function of the clock of (5.5)) has kinks there.
       double const next = std::min(target, 0.25 * (std::floor(4.0 * now + 1e-9) + 1.0));
       time_integrator.advance(field.values, now, next);
       now = next;

@@ -46,9 +46,9 @@ inline constexpr Coefficients reading_a = coefficients_of_length(maximum_shear);
 inline constexpr Coefficients reading_b = coefficients_of_length(1.0);
 
 /// Whether a class is a closure: it gives V and D at the mean shear rate, their common factor rate(t), the integral
-/// clock(t) of the rate, and its inverse time(clock). With this clock as time, V and D depend only on C, so the solvers
-/// take their steps in it. Clock and time agree at every quarter period, where the two-dimensional solver ends its
-/// steps.
+/// clock(t) of the rate, and its inverse time(clock). With the clock as time, V and D depend only on C, so the solvers
+/// use the clock for their steps. Clock and time agree at every quarter period, where the two-dimensional solver ends
+/// its steps.
 template <class T>
 concept SegregationClosure = requires(T const& closure, double x) {
   { closure.velocity(x) } -> std::convertible_to<double>;
@@ -72,7 +72,7 @@ struct ConstantClosure {
 /// C). With gamma = gamma0 sin(2 pi t) the ratio gdot/gdot_m is (pi/2) |cos(2 pi t)|, for any gamma0.
 struct ShearRateClosure {
   Coefficients mean = reading_a;
-  double small_diameter = 4.0;  // the three diameters have any common unit (here mm)
+  double small_diameter = 4.0;  // the unit of the three diameters is arbitrary (here mm)
   double large_diameter = 8.0;
   double reference_diameter = 6.0;  // d_bar; 4, 6 and 8 in the paper
 

@@ -32,8 +32,8 @@ class Agreement {
 
   /// Returns the team of the ranks of the case.
   Team<typename P::space> const& team() const { return team_; }
-  /// Whether this rank has all particles of the case, as it does until the first neighbour lists are built, unless it
-  /// begins with a share.
+  /// Whether this rank has all particles of the case. Unless ranks begin with shares, this is so until the first
+  /// neighbour lists are built.
   bool all_here() const { return held_ == Held::whole; }
   /// Throws std::logic_error unless this rank has all particles of the case.
   void require_all_here() const {

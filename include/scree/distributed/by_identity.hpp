@@ -66,7 +66,7 @@ class ByIdentity {
 
   Team<Space> team_;
   bool divided_;
-  std::vector<std::size_t> order_;  // for place k of the sorted particles, the index among the joined ones
+  std::vector<std::size_t> order_;  // for each sorted particle, its index among the joined particles
 };
 
 }  // namespace scree::detail

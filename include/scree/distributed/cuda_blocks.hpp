@@ -20,7 +20,7 @@ struct CudaBlocks {
 
   class Block {
    public:
-    /// Allocates a block of bytes. Throws std::runtime_error if the GPU has too little memory or cannot share it.
+    /// Allocates a block of bytes. Throws std::runtime_error if the GPU has too little memory or cannot share memory.
     explicit Block(std::size_t size) {
       detail::check_cuda(cudaMalloc(&bytes_, size), "no memory for messages between GPUs");
       detail::check_cuda(cudaIpcGetMemHandle(&handle_, bytes_), "memory of this GPU cannot be shared");

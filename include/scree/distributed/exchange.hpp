@@ -66,7 +66,7 @@ class Exchange {
     });
     team.exchange(space, sent, received);
   }
-  /// Writes the received values to the last particles of each body, which are its ghosts if it has any.
+  /// Writes the received values to the last particles of each body, which are the ghosts of the body if there are any.
   void receive(Shipments const& all) const {
     for_each_chunk(all, &Plan<P>::received_there, [&](auto const& each, auto const& some, auto const& at) {
       int const count = each.plan->receiving(), sharing = detail::threads_of_record<typename P::space>(count);

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-// Functors for running_sum() that find the particles of a rank and the particles that it needs.
+// Functors for running_sum() that find the particles of a rank and the particles that the rank needs.
 namespace scree::detail {
 
 /// Lists the particles that belong to a rank, for a Plan.
@@ -74,8 +74,8 @@ struct FindInBox {
   }
 };
 
-/// Finds the particles of this rank, and their periodic images, that another rank needs: those within the reach of the
-/// neighbour lists from the bounding box of the other rank's particles.
+/// Finds the particles of this rank, and their periodic images, that another rank needs. These lie within the reach of
+/// the neighbour lists of the bounding box of the other rank's particles.
 template <class P>
 class Needed {
  public:
@@ -91,8 +91,8 @@ class Needed {
         }
   }
   double reach() const { return reach_; }
-  /// Returns the functor that finds these particles, given the bounding boxes of the particles there (other rank) and
-  /// here. `itself`: whether both are the same rank.
+  /// Returns the functor that finds the needed particles, given the bounding boxes of the particles on the other rank
+  /// (`there`) and on this rank (`here`). `itself`: whether the two ranks are the same.
   template <class Box>
   FindInBox<P> loop(Box const& there, Box const& here, bool itself) const {
     using real = typename P::real;

@@ -26,7 +26,7 @@ std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
   return hash;
 }
 
-/// Returns an object that sorts values of a body by particle identity. The case of the solver need not be divided into
+/// Returns an object that sorts values of a body by particle identity. The case of the solver need not be divided among
 /// ranks.
 template <class Body, class S>
 auto order_by_identity(S const& solver) {
@@ -39,7 +39,7 @@ auto order_by_identity(S const& solver) {
 
 }  // namespace detail
 
-/// Returns a field of all particles of a body, sorted by identity. The case of the solver need not be divided into
+/// Returns a field of all particles of a body, sorted by identity. The case of the solver need not be divided among
 /// ranks.
 template <BodyTag Body, class S, Field F>
 auto gathered(S const& solver, F field) {

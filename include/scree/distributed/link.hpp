@@ -42,7 +42,7 @@ double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t by
 }  // namespace detail
 
 /// Returns the latency and bandwidth of messages between the ranks, measured with messages of 8 bytes and 16 MiB. The
-/// measurement takes at most a tenth of a second at 2 GB/s. All ranks call this function together.
+/// measurement takes at most a tenth of a second if messages travel at 2 GB/s. All ranks call this function together.
 template <class Space>
 Link measured_link(Team<Space> const& team, Space const& space) {
   constexpr std::int64_t large = 1 << 24;

@@ -11,7 +11,7 @@
 namespace scree::detail {
 
 /// A mark in the queue of an execution space instance, for which kernels of another process can wait. A FencedMark
-/// needs no support by the device: the host waits in set(). All marks have these members:
+/// needs no support from the device: the host waits in set(). All marks have these members:
 ///   Mark()          creates a mark of this process
 ///   handle()        returns the bytes that another process needs to find the mark
 ///   set(space)      moves the mark to the end of the queue of the instance, after all its kernels and copies

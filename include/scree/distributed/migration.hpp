@@ -18,8 +18,8 @@ class Migration {
   using Shared = SharedByBodies<P>;
 
  public:
-  /// Keeps only the particles that belong to this rank, if every rank has all particles. Returns their numbers, in
-  /// memory of this object.
+  /// Removes the particles that belong to other ranks, when every rank has all particles. Returns the numbers of the
+  /// particles kept, in memory of this object.
   Array<P, int const> keep_own(Shared const& shared, AnyParticles<P>& body) {
     auto const own = staying(shared, body, 0, body.size());
     body.keep(own);
@@ -27,7 +27,7 @@ class Migration {
   }
   /// Sends the particles that belong to other ranks, and receives the particles that belong to this rank.
   void run(Shared& shared, AnyParticles<P>& body) { send(shared, body, 0, body.size()); }
-  /// Does the same as run(), but in eight rounds, so that messages need little memory if most particles leave.
+  /// Sends particles as run() does, but in eight rounds, so that messages need little memory when most particles leave.
   void run_for_share(Shared& shared, AnyParticles<P>& body) {
     int const rounds = 8, all = body.size();
     int seen = 0, sent = 0;
@@ -41,8 +41,7 @@ class Migration {
   }
 
  private:
-  /// Sends the particles that belong to other ranks among `count` particles, the first of which is `from`. Returns the
-  /// number sent.
+  /// Sends those particles in [from, from + count) that belong to other ranks. Returns the number sent.
   int send(Shared& shared, AnyParticles<P>& body, int from, int count) {
     auto const& team = shared.team;
     leaving_.make(body.space(), team, count, [&](int rank, int first, Span<int> const& numbers, auto const&) {

@@ -29,8 +29,8 @@
 
 namespace scree {
 
-/// How MPI gets messages from device memory: `staged` through pinned host memory, or `direct`, which needs a GPU-aware
-/// MPI.
+/// The way in which MPI gets messages from device memory: `staged` through pinned host memory, or `direct`, which needs
+/// a GPU-aware MPI.
 enum class DeviceMessages { staged, direct };
 
 /// A Transport between processes that uses MPI 3. Each rank of a communicator is a rank of the case. The caller owns
@@ -168,8 +168,8 @@ class MpiProgram {
   MpiProgram(MpiProgram const&) = delete;
   MpiProgram& operator=(MpiProgram const&) = delete;
   ~MpiProgram() { MPI_Finalize(); }
-  /// Aborts all ranks if there are several and the exit code is that of a failure, 1 to 127; returns the exit code
-  /// otherwise.
+  /// Aborts all ranks if there are several and the exit code reports a failure, 1 to 127; otherwise returns the exit
+  /// code.
   int end(int exit_code) const {
     if (exit_code > 0 && exit_code < 128 && ranks() > 1) MPI_Abort(MPI_COMM_WORLD, exit_code);
     return exit_code;

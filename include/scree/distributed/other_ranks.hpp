@@ -68,22 +68,23 @@ class OtherRanks : public Agreement<P> {
   Settings const& settings() const { return settings_; }
   std::string signature() const { return images_.signature(); }
 
-  /// Whether particles must settle before the next step after lists were built within a step. Ghosts suffice wherever
-  /// the particles of a rank are, so migration may wait for 64 such builds; with periods it may not wait.
+  /// Whether particles must settle before the next step after lists were built within a step. Ghosts surround the
+  /// particles of a rank even outside its region, so migration may wait for 64 such builds; in a periodic domain it may
+  /// not wait.
   bool must_settle(int& unsettled) const { return ++unsettled > 64 || !settings_.periods.empty(); }
-  /// Divides the case if a division is due. Call it before settle() of the bodies.
+  /// Divides the case if a division is due. The function is called before settle() of the bodies.
   static void before_settle(std::vector<OtherRanks>& all, detail::AllBodiesRead<P> bodies) {
     all[0].shared().divide_if_due(all[0].needed_.reach(), !all[0].all_here(), bodies);
   }
   /// Wraps particles that left a period, and sends particles that left this rank to the ranks that they belong to.
   void settle(AnyParticles<P>& body);
-  /// Tells all ranks where the particles of each rank are. Call it before create() of the bodies.
+  /// Tells all ranks where the particles of each rank are. The function is called before create() of the bodies.
   static void before_create(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
   /// Replaces all ghosts according to the positions of the owned particles of all ranks.
   void create(AnyParticles<P>& body);
-  /// Calls visit(copies) unless this rank has all particles. The copies are those of particles of `body` on other
-  /// ranks, and of periodic images if `images` is true, within a distance (m) of the bounding box of this rank's
-  /// particles of `bodies`. All ranks call this function together.
+  /// Calls visit(copies) unless this rank has all particles. `copies` has the particles of `body` on other ranks, and
+  /// periodic images if `images` is true, that lie within a distance (m) of the bounding box of this rank's particles
+  /// of `bodies`. All ranks call this function together.
   template <class... Fs, class Visit>
   void with_copies_near(AnyParticles<P> const& body, detail::AllBodiesRead<P> bodies, double distance, bool images,
                         Fields<Fs...> list, Visit const& visit) const {
@@ -94,7 +95,8 @@ class OtherRanks : public Agreement<P> {
   }
   /// Copies the outdated ones of some columns to the ghosts from the particles that they copy.
   void refresh(AnyParticles<P>& body, ColumnNumbers columns);
-  /// Refreshes the given columns of each body as refresh() does, with one message to each rank for up to six bodies.
+  /// Copies the outdated ones of some columns of each body to the ghosts, with one message to each rank for up to six
+  /// bodies.
   static void refresh_all(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies, ColumnNumbers const* columns);
   /// Throws std::logic_error if the ghosts differ in these columns from the particles that they copy, because a change
   /// was not announced. Used in tests.
@@ -124,7 +126,7 @@ class OtherRanks : public Agreement<P> {
   }
   /// Whether this rank has a share whose particles may belong to other ranks.
   bool has_share() const { return held_ == Held::share; }
-  /// Divides a case of which every rank has all particles, and creates the ghosts. Positions do not change, not even
+  /// Divides a case while every rank has all particles, and creates the ghosts. Positions do not change, not even
   /// outside a period. Returns, for each body, the numbers of the particles that this rank keeps.
   static std::optional<std::vector<std::vector<int>>> scatter(std::vector<OtherRanks>& all,
                                                               detail::AllBodies<P> bodies);
@@ -141,7 +143,7 @@ class OtherRanks : public Agreement<P> {
   void copy_near(AnyParticles<P> const& body, ColumnNumbers columns, detail::AllBodiesRead<P> bodies, double distance,
                  bool images, AnyParticles<P>& copies, ColumnNumbers columns_of_copies) const;
   std::vector<int> keep_own(AnyParticles<P>& body);
-  /// Adds a shipment of the columns that are outdated at the ghosts of a body.
+  /// Adds a shipment of those columns that are outdated in the ghosts of a body.
   void add_due(Shipments& due, AnyParticles<P> const& body, ColumnNumbers columns);
   void deliver(Shipments const& all) const;
 

@@ -70,7 +70,7 @@ class Plan {
   std::int64_t const* received_there() const { return there_.data() + sent_.size(); }
 
  private:
-  /// Exchanges the particle counts, so that each rank knows how many particles it receives.
+  /// Exchanges the particle counts, so that each rank knows how many particles to receive.
   void agree(typename P::space const& space, TeamOf const& team) {
     std::size_t const ranks = sent_.size() - 1, here = std::size_t(team.rank());
     std::vector<std::int64_t> counts(ranks);

@@ -12,7 +12,7 @@
 
 namespace scree {
 
-/// A profiler that counts and measures times from its construction on:
+/// Counts and times since the construction of this object:
 ///     Profiler const profiler(solver);
 ///     solver.run(1);
 ///     for (RankProfile const& rank : profiler.of(solver)) ...

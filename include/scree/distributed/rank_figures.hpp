@@ -14,7 +14,7 @@ struct Traffic {
   double exchanging = 0, gathering = 0;  ///< time in exchanges and in gathers, s
 };
 
-/// Counts and times of one rank during some steps. A case that is not divided into ranks has one profile.
+/// Counts and times of one rank during some steps. A case that is not divided among ranks has one profile.
 struct RankProfile {
   std::int64_t particles = 0, ghosts = 0;  ///< of all bodies, at the end
   std::int64_t steps = 0, builds = 0;      ///< steps, and builds of neighbour lists

@@ -29,7 +29,7 @@ struct Messages {
 /// order, each from one thread.
 ///   rank()                       returns the number of this rank, from 0
 ///   ranks()                      returns the number of ranks
-///   gather(mine, bytes, all)     gathers the same number of bytes in host memory from each rank on every rank, in
+///   gather(mine, bytes, all)     copies the same number of bytes in host memory from each rank to every rank, in
 ///                                the order of the ranks
 ///   exchange(space, sent, received)
 ///                                sends a message to each rank, itself included; later kernels of the instance find
