@@ -87,7 +87,8 @@ std::optional<Team<Space>> team_with(Mpi& mpi, Space const& space, std::string& 
   fault = "messages do not arrive whole";
   return {};
 }
-/// Returns a team as above that synchronises by CUDA events if possible, and by fences otherwise.
+/// Returns a team of the MPI processes that write to each other's `Blocks`, synchronised by CUDA events if possible and
+/// by fences otherwise, or returns none and sets `fault`.
 template <class Blocks, class Space>
 std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
 #ifdef KOKKOS_ENABLE_CUDA
