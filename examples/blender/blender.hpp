@@ -36,10 +36,10 @@
 #include <tuple>
 #include <vector>
 
-// Grains of two or more sizes in a vessel from a file, which turns about a horizontal axis.
+// Grains of two or more sizes in a vessel that is read from a file and turns about a horizontal axis.
 namespace blender {
 
-/// Small and large grains.
+/// The model of two grain sizes, small and large.
 struct TwoSizes {
   using Grains = scree::BidisperseGrains;
   using Segregation = scree::ConservativeSegregation<scree::ShearRateClosure>;
@@ -55,14 +55,15 @@ struct TwoSizes {
             scree::SegregationFlux::symmetric()};
   }
   static double mixed(Options const& o) { return o.segregation.share; }
-  /// The mixture of the particles `first` to `behind` of n, which are at the same place from below or along x.
+  /// Returns the initial concentration of the particles [first, behind) of n, which are sorted by a coordinate and
+  /// share the same value of it.
   static double apart(Options const& o, double first, double behind, double n) {
     return std::clamp((o.segregation.share * n - first) / (behind - first), 0.0, 1.0);
   }
   static double mean_diameter(Options const& o) {
     return o.segregation.share * o.material.d_small + (1 - o.segregation.share) * o.material.d_large;
   }
-  /// The smallest grains.
+  /// Returns the index of the smallest grains.
   static int smallest(Options const&) { return 0; }
   template <class Real>
   static Real as(double C) {
@@ -73,7 +74,7 @@ struct TwoSizes {
     return double(mixture);
   }
 };
-/// The sizes of a list.
+/// The model of the grain sizes in a list.
 struct ListOfSizes : app::ListOfSizes {
   using Mixture = scree::Concentrations<species>;
   using Kinds = scree::SpeciesOf<species>;
@@ -103,7 +104,7 @@ struct Models : scree::GranularModels {
 };
 using Motion = scree::Composed<scree::RotationAbout, scree::RotationAbout>;
 
-/// Forces on the vessel, and how many neighbours are of another kind.
+/// Passes for output: the forces on the vessel, and the neighbours of another kind.
 template <class Kinds>
 struct Diagnostics {
   template <class Physics>
@@ -139,12 +140,14 @@ typename Formulation<Real, Sizes>::physics physics_of(Options const& o) {
           segregation_period(o)};
 }
 
-/// The vessel turns about the x axis, and in this frame about its own z axis.
+/// Returns the motion of the vessel: rotation about the x axis and, in the rotating frame, about the vessel's own z
+/// axis.
 inline Motion motion_of(Options const& o) {
   return {.outer = {rate(o), {1, 0, 0}}, .inner = {o.vessel.own_speed * 2 * std::numbers::pi / 60, {0, 0, 1}}};
 }
 
-/// V, V C, V x and V C x with the first coordinate and C of the smallest grains.
+/// A functor that returns V, V C, V x and V C x, with the concentration C of the smallest grains and the first
+/// coordinate x.
 template <class Sizes>
 struct PlacesOfSmall {
   int smallest;
@@ -159,18 +162,19 @@ struct PlacesOfSmall {
   }
 };
 
-/// How well the grains are mixed.
+/// Measures of how well the grains are mixed.
 struct Mixture {
-  double mean = 0;        ///< C of all (of the smallest grains), -
-  double intensity = 0;   ///< of segregation, 1: apart, 0: mixed
-  double lacey = 0;       ///< of samples: 0: apart, 1: as mixed as samples of this size can be
-  double along = 0;       ///< mean x of the small grains less that of all, m
-  double neighbours = 0;  ///< unlike ones over those of a mixture
-  double doucet = 0;      ///< 1: as at the start, 0: forgotten
+  double mean = 0;        ///< mean C of the smallest grains, -
+  double intensity = 0;   ///< of segregation, 1: separated, 0: mixed
+  double lacey = 0;       ///< Lacey's index; 0: separated, 1: as mixed as samples of this size can be
+  double along = 0;       ///< mean x of the smallest grains minus mean x of all grains, m
+  double neighbours = 0;  ///< unlike neighbours over the number in a perfect mixture
+  double doucet = 0;      ///< Doucet's index; 1: order as at the start, 0: order lost
   int samples = 0;
 };
 
-/// Samples are the cubes of edge `edge` (m) that are more than half full. `grain` (m^3): the bed per grain.
+/// Returns the measures of mixing. Samples are the cubes with edge length `edge` (m) that are more than half full.
+/// `grain` is the bulk volume per grain (m^3).
 template <class Sizes, class Solver>
 Mixture mixture_of(Solver& solver, double edge, double grain, int smallest) {
   auto const intensity = scree::segregation_intensity(solver);
@@ -185,7 +189,7 @@ Mixture mixture_of(Solver& solver, double edge, double grain, int smallest) {
           .samples = lacey.samples};
 }
 
-/// Runs a case, or one rank of it, and writes its table and frames.
+/// Runs a case, or one rank of a case, and writes its table and frames.
 template <class P, class Sizes>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
@@ -212,7 +216,8 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
   solver.set(stress, bed.points,
              [&](auto const& x) { return scree::packed<3>(at_rest(x)).template cast<Real>().eval(); });
   solver.set(velocity, bed.points, [&](auto const& x) { return motion.velocity(x, 0).template cast<Real>().eval(); });
-  // Sizes take their shares of the bed from below or along x; particles at the same place are alike.
+  // The sizes fill their shares of the bed from below or along x; particles with the same coordinate get the same
+  // mixture.
   int const axis = o.segregation.start == Start::halves ? 0 : 2;
   std::vector<double> places;
   for (auto const& x : bed.points) places.push_back(x[axis]);

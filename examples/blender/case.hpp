@@ -30,7 +30,7 @@ constexpr auto names_of(Precision) {
 struct Vessel {
   std::string file = "v_blender.stl";
   double scale = 1e-3;   // m
-  double fill = 0.45;    // of the volume
+  double fill = 0.45;    // of the volume of the vessel
   double speed = 15;     // rpm, about the x axis
   double own_speed = 0;  // rpm, about the vessel's own z axis
 };
@@ -60,21 +60,21 @@ struct Output {
   double history = 0.05;      // turns
   double frames = 0.25;       // turns
   double sample = 4;          // dr
-  double checkpoints = 1800;  // s of wall time
+  double checkpoints = 1800;  // s of wall-clock time
   std::string restart_from = {};
 };
 struct Options {
   Vessel vessel;
   Material material;
   Segregation segregation;
-  app::SpeciesList species;  // empty: d_small, d_large and share
+  app::SpeciesList species;  // if empty, d_small, d_large and share are used
   Numerics numerics;
   Output output;
 };
 
 inline double rate(Options const& o) { return o.vessel.speed * 2 * std::numbers::pi / 60; }  // rad/s
 inline double turn(Options const& o) { return 60 / o.vessel.speed; }                         // s
-/// Steps from one evaluation of the segregation to the next.
+/// Returns the number of time steps between evaluations of the segregation.
 inline int segregation_period(Options const& o) {
   scree::Elastic const bed{o.material.young, o.material.poisson, o.material.density};
   double const step = o.numerics.cfl * 1.5 * o.numerics.spacing / bed.sound_speed();

@@ -13,28 +13,28 @@
 #include <cmath>
 #include <optional>
 
-// The options of a column of grains that is released, and the experiments that it is compared with.
-// `column_collapse --options` prints the table.
+// The options of a granular column collapse, and the experiments that it is compared with. `column_collapse --options`
+// prints the table.
 namespace column_collapse {
 
 namespace app = scree::app;
 
 struct Geometry {
   double aspect = 2;    // H0/L0
-  double width = 0.05;  // m, L0: half the width, or the radius
+  double width = 0.05;  // L0, m: half the width of the column, or its radius
 };
 
 struct Model {
-  double friction_at_rest = 0.382;  // k_mu, the tangent of an angle in plane shear
+  double friction_at_rest = 0.382;  // k_mu, the tangent of the friction angle in plane shear
   double friction_at_speed = 0.682;
   double viscosity_speed = 0.5;  // m/s, alpha c_s of the artificial viscosity
 };
 
 struct Numerics {
   int dimension = 2;
-  int across = 20;  // particles over L0
+  int across = 20;  // particles across L0
   double cfl = 0.4;
-  std::optional<double> reach = {};  // L0, of the floor; by the aspect ratio when not given
+  std::optional<double> reach = {};  // end of the floor, in L0; if not given, set by the aspect ratio
   int ranks = 1;
 };
 
@@ -42,7 +42,7 @@ struct Output {
   double duration = 7;          // sqrt(H0/g)
   double interval = 0.5;        // sqrt(H0/g)
   double reading_depth = 0.05;  // H0
-  double checkpoints = 1800;    // s of wall time
+  double checkpoints = 1800;    // s of wall-clock time
   std::string restart_from = {};
 };
 
@@ -53,21 +53,23 @@ struct Options {
   Output output;
 };
 
-// Experimental results for columns of dry grains with the aspect ratio a = H0/L0 (height over width, or over radius).
+// Experimental results for columns of dry grains with aspect ratio a = H0/L0 (height over half width, or over radius).
 struct Band {
   double least = 0, greatest = 0;
   bool contains(double value) const { return value >= least && value <= greatest; }
 };
 
-/// (L - L0)/L0 in channels: lower bound, Lube et al. (2005), 1.2 a up to the change of regime between a = 1.8 and 2.8,
-/// then 1.9 a^(2/3); upper bound, Lajeunesse et al. (2005), 1.8 a up to a = 3, then 2.3 a^(2/3).
+/// Returns the range of the run-out (L - L0)/L0 in channels. Lower bound, Lube et al. (2005): 1.2 a up to the change of
+/// regime between a = 1.8 and 2.8, then 1.9 a^(2/3). Upper bound, Lajeunesse et al. (2005): 1.8 a up to a = 3, then 2.3
+/// a^(2/3).
 inline Band run_out_in_channels(double a) {
   double const power = std::pow(a, 2.0 / 3);
   return {a < 2.8 ? 1.2 * a : 1.9 * power, a < 3 ? 1.8 * a : 2.3 * power};
 }
 
-/// (L - L0)/L0 of cylinders that spread in all directions: Lube et al. (2004), 1.24 a up to a = 1.7, then 1.6 sqrt(a),
-/// with 20 % on either side for the scatter and the reading of the rim.
+/// Returns the range of the run-out (L - L0)/L0 of cylinders that spread in all directions. Lube et al. (2004): 1.24 a
+/// up to a = 1.7, then 1.6 sqrt(a). The range is 20 % on either side, for scatter and for uncertainty in the position
+/// of the rim.
 inline Band run_out_of_cylinders(double a) {
   double const found = a < 1.7 ? 1.24 * a : 1.6 * std::sqrt(a);
   return {0.8 * found, 1.2 * found};
@@ -77,7 +79,8 @@ inline Band run_out_band(int dimension, double a) {
   return dimension == 2 ? run_out_in_channels(a) : run_out_of_cylinders(a);
 }
 
-/// End of the floor in L0: as given, or twice the largest run-out of the experiments, at least 6.
+/// Returns the end of the floor in L0: as given, or else 1 plus twice the largest run-out in the experiments, at least
+/// 6.
 inline double floor_reach(Options const& o) {
   double const a = o.geometry.aspect;
   double const farthest = run_out_band(o.numerics.dimension, a).greatest;
@@ -86,11 +89,11 @@ inline double floor_reach(Options const& o) {
 
 /// The results of a run, see the README in this folder.
 struct Outcome {
-  double reach = 0, summit = 0, largest_speed = 0;  ///< of the deposit, m; of the particles, m/s
+  double reach = 0, summit = 0, largest_speed = 0;  ///< of the deposit (m, m), and of the particles (m/s)
   app::Figures figures = {};
   double wall_seconds = 0;
 };
-/// Writes summary.json and prints the run-out next to its band. Defined in main.cpp.
+/// Writes summary.json and prints the run-out next to the experimental range. Defined in main.cpp.
 void report(app::Run<Options> const& run, Outcome const& outcome);
 
 inline app::Schema<Options> schema() {

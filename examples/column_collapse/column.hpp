@@ -21,8 +21,8 @@
 #include <numbers>
 #include <vector>
 
-// A column of grains that is released: half of it in the plane, a quarter of a cylinder in 3D. Smooth walls represent
-// the symmetry, the floor is rough.
+// The collapse of a granular column: half a column in the plane, a quarter of a cylinder in 3D. Smooth walls represent
+// the planes of symmetry; the floor is rough.
 namespace column_collapse {
 
 using Physics = scree::Granular<>;
@@ -35,19 +35,19 @@ struct Formulation : scree::Formulation<Dim, Real> {
 
 struct Column {
   double aspect = 2;        ///< a = H0/L0
-  double width = 0.05;      ///< L0: half the width, or the radius, m
-  double spacing = 0.0025;  ///< of particles, m
-  double reach = 5;         ///< of the floor, in L0
+  double width = 0.05;      ///< L0, half the width or the radius, m
+  double spacing = 0.0025;  ///< particle spacing, m
+  double reach = 5;         ///< end of the floor, in L0
   double gravity = 9.81;    ///< m/s^2
   double height() const { return aspect * width; }
   double fall_time() const { return std::sqrt(height() / gravity); }  ///< sqrt(H0/g), s
 };
 
-/// mu for a measured friction k_mu of plane shear (the tangent of an angle).
+/// Returns mu for a measured friction k_mu in plane shear (the tangent of the friction angle).
 inline double mu_for(double k) { return 3 * k / std::sqrt(9 - 12 * k * k); }
 
-/// Beads as in Zhu et al. (2024), Table 1, with a stiffness that lets the foot of the column compress by one percent:
-/// the wave speed is 12 sqrt(g H0). `friction_at_rest` is k_mu.
+/// Returns beads as in Zhu et al. (2024), Table 1, but with a wave speed of 12 sqrt(g H0), at which the foot of the
+/// column is compressed by one per cent. `mu_s` and `mu_d` are values of mu, see mu_for().
 inline scree::MuOfI<> beads(Column const& column, double mu_s, double mu_d) {
   double const nu = 0.3, rho = 1500, c = 12 * std::sqrt(column.gravity * column.height());
   double const young = rho * c * c * (1 + nu) * (1 - 2 * nu) / (1 - nu);
@@ -66,8 +66,8 @@ std::vector<scree::Vec<Dim, double>> grains(Column const& column) {
   }
 }
 
-/// Floor and planes of symmetry, three rows each; the planes rise above the column, the floor extends beyond the
-/// run-out.
+/// Returns the particles of the floor and of the planes of symmetry, three rows each. The planes are higher than the
+/// column; the floor extends beyond the run-out.
 template <int Dim>
 std::vector<scree::Vec<Dim, double>> walls(Column const& column) {
   double const dr = column.spacing, thick = 3 * dr, far = column.reach * column.width;
@@ -87,7 +87,7 @@ std::vector<scree::Vec<Dim, double>> walls(Column const& column) {
   return points;
 }
 
-/// Planes of symmetry are slip walls, the floor is not.
+/// Returns the slip normal of a wall particle: planes of symmetry are slip walls, the floor is not.
 template <int Dim, class X>
 X slip_normal_at(X const& x) {
   X n = X::Zero();
@@ -113,11 +113,11 @@ scree::Solver<P> at_rest(Column const& column, typename P::physics const& physic
   return solver;
 }
 
-/// Depth of a deposit over the distance from the axis, from the volume of the particles in slices two spacings wide:
-/// half of a column in the plane, a quarter of one in 3D.
+/// The depth of a deposit as a function of the distance from the axis, computed from the volume of the particles in
+/// slices two spacings wide. The deposit is that of half a column in the plane, or of a quarter of a cylinder in 3D.
 class Profile {
  public:
-  /// Positions with a last coordinate that points upwards; spacing in m.
+  /// Takes particle positions, whose last coordinate points upwards, and the spacing, both in m.
   template <class Positions>
   Profile(Positions const& positions, double spacing) : width_(2 * spacing) {
     constexpr int dim = std::remove_cvref_t<decltype(positions[0])>::RowsAtCompileTime;
@@ -134,14 +134,15 @@ class Profile {
   double middle(std::size_t slice) const { return (double(slice) + 0.5) * width_; }  // m
   double depth(std::size_t slice) const { return slice < depth_.size() ? depth_[slice] : 0; }
 
-  /// Outermost distance at which the deposit is `deep` (m), between the middles of slices; 0 if there is none.
+  /// Returns the outermost distance (m) at which the depth of the deposit is `deep` (m), interpolated between the
+  /// middles of slices, or 0 if there is none.
   double reach(double deep) const {
     for (std::size_t slice = depth_.size(); slice-- > 0;)
       if (depth(slice) >= deep)
         return middle(slice) + width_ * (depth(slice) - deep) / (depth(slice) - depth(slice + 1));
     return 0;
   }
-  /// Depth near the axis, mean over three slices, m.
+  /// Returns the depth near the axis (m), the mean over three slices.
   double summit() const { return (depth(0) + depth(1) + depth(2)) / 3; }
 
  private:
@@ -160,7 +161,7 @@ inline Physics physics_of(Options const& o) {
   return {.law = law, .viscosity_speed = o.model.viscosity_speed, .cfl = o.numerics.cfl};
 }
 
-/// Runs a case, or one rank of it, and writes its tables and frames.
+/// Runs a case, or one rank of a case, and writes its tables and frames.
 template <class P>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;

@@ -5,8 +5,8 @@
 //
 //   course_01_first_steps [duration in s]
 //
-// One sees, in ParaView: particles.vtkhdf, coloured by the magnitude of velocity or by pressure. In heap.csv: the force
-// on the walls, which is large at the impact and ends as the weight of the sand, and the pressure below the heap.
+// In ParaView, colour particles.vtkhdf by the magnitude of velocity or by pressure. The table heap.csv has the force on
+// the walls, which peaks at the impact and then settles at the weight of the sand, and the pressure below the heap.
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/io/body_series.hpp>
@@ -21,29 +21,29 @@
 
 using namespace scree;
 
-// The choices that are made when the program is compiled. Each part that is not named has a default.
+// The choices made at compile time. Each part that is not named has a default.
 struct Grains : GranularModels {
   using law = VolumeMemory<MuOfI<>>;         // the friction law mu(I)
-  using volume_control = VolumeConsistency;  // the pressure follows the packing: for grains that hit something
+  using volume_control = VolumeConsistency;  // the pressure follows the packing; for impacts of grains
 };
 struct Sand : Formulation<2> {  // two dimensions, double precision
   using physics = Granular<Grains>;
-  using diagnostics = WallForces;  // for output only: the force on the walls
+  using diagnostics = WallForces;  // the force on the walls, for output only
 };
 using S = Solver<Sand>;
 
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard const kokkos(argc, argv);
   double const duration = argument<double>(argc, argv, 1, 1);  // s
-  double const radius = 0.05, width = 0.2, dr = 0.004;         // of the ball, of the box, between particles, m
+  double const radius = 0.05, width = 0.2, dr = 0.004;         // ball, box and particle spacing, m
 
-  // Particles on a lattice: the ball, and a group of wall particles, a box whose walls are three rows thick. The ball
-  // is not in the middle between particles: if both its halves were equal, nothing would push its middle column aside.
+  // Particles on a lattice: the ball, and a box as a group of wall particles, three rows thick. The ball is shifted off
+  // the symmetry axis of the lattice: if its halves were equal, nothing would push its middle column aside.
   auto const ball = fill_lattice(Ball<2>{.centre = {width / 2 + 0.3 * dr, 1.5 * radius}, .radius = radius}, dr);
   Groups<2> walls;
   walls.add("box", fill_between(Box<2>{{0, 0}, {width, 1}}, Box<2>{{-3 * dr, -3 * dr}, {width + 3 * dr, 0.1}}, dr));
 
-  // The elastic part of the law is far softer than real sand: its waves limit the time step.
+  // The material is far softer than real sand, because the speed of elastic waves limits the time step.
   MuOfI<> const sand{.elastic = {.young = 2e5, .poisson = 0.3, .rest_density = 1500}, .grains = {.diameter = 1e-3}};
   S box({.spacing = dr, .physics = {.law = {sand}}}, ball, walls);
 
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   box.run(duration, {every<S>(duration / 100, [&](S& now) {
             output.append(now);
             force = -wall_load(now, walls, "box").force[1];
-            double const below = mean_at(now, fields::pressure, {{width / 2, 0}})[0].value;  // NaN if nothing is there
+            double const below = mean_at(now, fields::pressure, {{width / 2, 0}})[0].value;  // NaN if there is no sand
             table.row({now.time(), force / weight, below});
           })});
   fmt::print(

@@ -5,9 +5,9 @@
 //
 //   course_02_column_collapse [particles across the column] [duration in units of sqrt(H/g)]
 //
-// One sees, in ParaView: particles.vtkhdf, coloured by the magnitude of velocity: a failure surface below which grains
-// stay at rest, and a front that runs out over the floor. In run_out.csv: the front comes to rest. For this height of
-// two widths, columns in channels ran out by 2.4 to 3.6 widths (Lube et al. 2005, Lajeunesse et al. 2005).
+// In ParaView, particles.vtkhdf coloured by the magnitude of velocity shows a failure surface, below which grains stay
+// at rest, and a front that runs out over the floor. In run_out.csv the front comes to rest. Columns as high as two
+// widths ran out by 2.4 to 3.6 widths in channels (Lube et al. 2005, Lajeunesse et al. 2005). The program
 // examples/column_collapse compares in detail.
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
@@ -34,13 +34,15 @@ int main(int argc, char** argv) {
   double const width = 0.05, height = 2 * width, dr = width / across;  // m
   double const fall_time = std::sqrt(height / 9.81);                   // s
 
-  // Half of a symmetric column: the plane of symmetry is a smooth wall. Floor and wall have three rows of particles.
+  // Half of a symmetric column; the plane of symmetry is a smooth wall. The floor and this wall have three rows of
+  // particles.
   auto const column = fill_lattice(Box<2>{{0, 0}, {width, height}}, dr);
   Groups<2> walls;
   walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {7 * width, 0}}, dr));
   walls.add("plane of symmetry", fill_lattice(Box<2>{{-3 * dr, 0}, {0, height + 6 * dr}}, dr));
 
-  // Waves are about ten times as fast as grains that fall from the top: stiff enough, and far cheaper than real glass.
+  // Elastic waves are about ten times as fast as grains that fall from the top. The material is then stiff enough, and
+  // far cheaper to compute than real glass.
   double const c = 12 * std::sqrt(9.81 * height), rho = 1500;
   MuOfI<> const beads{.elastic = {.young = 0.74 * rho * c * c, .poisson = 0.3, .rest_density = rho},
                       .grains = {.diameter = 0.5e-3},
@@ -60,7 +62,8 @@ int main(int argc, char** argv) {
            {every<S>(0.1 * fall_time,
                      [&](S& now) {
                        output.append(now);
-                       // Depth in slices two spacings wide; the front is where the deposit is 0.05 heights deep.
+                       // Depth in slices two spacings wide. The front is the farthest slice with a depth of 0.05
+                       // heights or more.
                        std::vector<double> depth(static_cast<std::size_t>(4 * across));
                        for (auto const& x : now.material().to_host(position))
                          depth.at(std::size_t(x[0] / (2 * dr))) += dr / 2;

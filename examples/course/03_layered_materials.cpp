@@ -5,9 +5,9 @@
 //
 //   course_03_layered_materials [friction of the weak layer] [duration in s]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by group: with a friction of 0.1 the fill and the sand slide out on
-// the weak layer; with 0.6 only the face of the slope slumps. In layers.csv: the mass of each group, which stays as it
-// is to the last digit, and how far the centre of each group has moved.
+// In ParaView, colour particles.vtkhdf by group: with a friction of 0.1 the fill and the sand slide out on the weak
+// layer; with 0.6 only the face of the slope slumps. The table layers.csv has the mass of each group, which is constant
+// to the last digit, and the displacement of the centre of each group.
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -22,16 +22,16 @@
 
 using namespace scree;
 
-struct Layers : GranularModels {  // the models of Granular: those that are not named have a default
+struct Layers : GranularModels {  // models of Granular; any that is not named has a default
   using law = ByGroup<MuOfI<>>;   // one set of parameters for each group of particles
 };
 struct Slope : Formulation<2> {
   using physics = Granular<Layers>;
-  using integrator = SymplecticEuler;  // takes a sixth of the time of the default, with three times the step
+  using integrator = SymplecticEuler;  // a sixth of the default's run time, at three times its step
 };
 using S = Solver<Slope>;
 
-/// Waves are as fast in all layers: 12 times the speed of grains that fall from the top.
+/// Returns grains in which elastic waves travel at 12 sqrt(g height), equally fast in all layers.
 MuOfI<> grains(double density, double friction, double height) {
   double const c = 12 * std::sqrt(9.81 * height);
   return {.elastic = {.young = 0.74 * density * c * c, .poisson = 0.3, .rest_density = density},

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// Walls that move on their own: a gate holds a bed of grains, and is lifted.
+// Walls that move independently: a gate holds back a bed of grains, and is then lifted.
 //
 //   course_04_gate [time at which the gate opens, in s] [duration in s]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by velocity, walls included: the bed rests, the gate rises within
-// 0.05 s, and the grains flow out. In gate.csv: the force on the gate is K rho g H^2/2 before, K the ratio of the
-// horizontal to the vertical stress, and zero after.
+// In ParaView, particles.vtkhdf coloured by velocity shows grains and walls: the bed rests, the gate takes 0.05 s to
+// rise, and the grains flow out. In gate.csv the force on the gate is K rho g H^2/2 before the gate rises, where K is
+// the ratio of horizontal to vertical stress, and zero afterwards.
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/io/body_series.hpp>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A law of your own: clay, which has a strength without friction (Tresca, von Mises), in a vertical cut.
+// A law of your own: clay with a frictionless strength (Tresca, von Mises) in a vertical cut.
 //
 //   course_05_own_law [strength over that of the critical cut] [duration in s]
 //
-// A vertical cut in clay of undrained shear strength c_u stands up to the height 3.83 c_u/(rho g). One sees, in
-// ParaView, particles.vtkhdf coloured by mobilised_strength: with a strength of 0.5 a block slides down on a curved
-// surface, with 2 the cut stands. In cut.csv: how far its front moves.
+// A vertical cut in clay of undrained shear strength c_u stands up to the height 3.83 c_u/(rho g). In ParaView, colour
+// particles.vtkhdf by mobilised_strength: with a strength of 0.5 a block slides down on a curved surface; with 2 the
+// cut stands. The table cut.csv has the advance of the front.
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -18,8 +18,9 @@
 
 using namespace scree;
 
-// The law: elastic up to sqrt(J2) = strength at any pressure. Elasticity gives the stress rate, density, sound speed
-// and moduli; what is new is the return to the yield surface, along the deviator, since flow keeps the volume.
+// The law is elastic up to sqrt(J2) = strength at any pressure. The base class Elastic provides the stress rate,
+// density, sound speed and moduli. The addition is the return to the yield surface along the deviator, because plastic
+// flow preserves volume.
 struct Clay : Elastic {
   double strength = 0;  // c_u, Pa
 
@@ -37,7 +38,7 @@ struct Clay : Elastic {
 };
 static_assert(ConstitutiveLaw<Clay>);
 
-struct OfClay : GranularModels {  // the models of Granular: those that are not named have a default
+struct OfClay : GranularModels {  // models of Granular; any that is not named has a default
   using law = Clay;
   using filter = NoFilter;
 };
@@ -62,7 +63,7 @@ int main(int argc, char** argv) {
   double const height = 1, width = 2, dr = 0.05, rho = 1800;  // m, kg/m^3
   double const strength = ratio * rho * 9.81 * height / 3.83;
 
-  // Clay between a smooth wall at its left and a free face at its right, on a rough floor.
+  // Clay on a rough floor, with a smooth wall on its left and a free face on its right.
   auto const clay = fill_lattice(Box<2>{{0, 0}, {width, height}}, dr);
   Groups<2> walls;
   walls.add("floor", fill_lattice(Box<2>{{-3 * dr, -3 * dr}, {3 * width, 0}}, dr));

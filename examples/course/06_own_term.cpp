@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A force of your own: grains that sink in a viscous liquid, which holds each of them back.
+// A force of your own: grains sink in a viscous liquid, which exerts drag on each of them.
 //
 //   course_06_own_term [duration in s]
 //
-// The liquid pulls with the acceleration -k u, so that grains sink with the speed (g/k)(1 - exp(-k t)). One sees, in
-// ParaView, particles.vtkhdf coloured by velocity: a square of sand sinks steadily, lands and spreads to a heap. In
-// speed.csv: its speed next to the exact one, until it lands.
+// The drag of the liquid adds the acceleration -k u, so grains sink at the speed (g/k)(1 - exp(-k t)). In ParaView,
+// particles.vtkhdf coloured by velocity shows a square of sand that sinks steadily, lands and spreads into a heap. The
+// table speed.csv has the speed of the sand and the exact speed, which holds until the sand lands.
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -18,8 +18,8 @@
 
 using namespace scree;
 
-// A force: the acceleration of a particle, from the fields of it that `reads` names. Sums over neighbours are forces as
-// well, see docs/extending.md.
+// A force: the acceleration of a particle as a function of its fields, which are listed in `reads`. Forces can also be
+// sums over neighbours, see docs/extending.md.
 struct Drag {
   double k = 0;  // 1/s
   using reads = Fields<Velocity>;
@@ -32,7 +32,7 @@ struct Drag {
   }
 };
 
-struct SandInLiquid : GranularModels {  // the models of Granular: those that are not named have a default
+struct SandInLiquid : GranularModels {  // models of Granular; any that is not named has a default
   using forces = std::tuple<Drag>;
 };
 struct Sinking : Formulation<2> {

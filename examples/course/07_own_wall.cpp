@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A wall of your own: a conveyor belt. Its particles stay where they are; grains see its surface move.
+// A wall of your own: a conveyor belt. The particles of the belt stay in place, but its surface velocity acts on the
+// grains.
 //
 //   course_07_own_wall [duration in s]
 //
-// A layer at rest slides on the belt until friction has brought it to the speed of the belt: its mean velocity grows by
-// k g per second, k the friction coefficient. One sees, in ParaView, particles.vtkhdf coloured by velocity: shear stays
-// next to the belt. In belt.csv: the mean velocity next to min(k g t, speed of the belt).
+// A layer that starts at rest slides on the belt until friction has accelerated it to the speed of the belt. The mean
+// velocity of the layer grows at the rate k g, where k is the friction coefficient. In ParaView, particles.vtkhdf
+// coloured by velocity shows that shear stays close to the belt. The table belt.csv has the mean velocity and, for
+// comparison, min(k g t, speed of the belt).
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -19,8 +21,8 @@
 
 using namespace scree;
 
-// A lens: how a particle i of the material sees a wall particle j. It provides fields of j for the terms, from fields
-// of i (`reads_i`) and of j (`reads`). Rho gives the density.
+// A lens: the fields of a wall particle j as they enter the sums of a material particle i. The lens provides these
+// fields to the terms, computed from fields of i (`reads_i`) and of j (`reads`). Rho gives the density.
 template <class Rho>
 struct BeltLens {
   double speed;  // m/s
@@ -31,7 +33,7 @@ struct BeltLens {
   using reads = Fields<Position>;
   using reads_i = Merge<Fields<Position, Volume, Velocity, Stress>, typename Rho::reads>;
 
-  // Half way between i and j the velocity is that of the belt.
+  // Returns the velocity of j for which the mean of the velocities of i and j is the belt velocity.
   template <class I, class J>
   SCREE_FN auto operator()(Velocity, I const& i, J const&) const {
     using namespace scree::fields;
@@ -40,7 +42,7 @@ struct BeltLens {
     seen[0] += 2 * typename vector::Scalar(speed);
     return seen;
   }
-  // The stress of i, continued under its own weight.
+  // Returns the stress of i, extrapolated to j with the weight of the material in between.
   template <class I, class J>
   SCREE_FN auto operator()(Stress, I const& i, J const& j) const {
     using namespace scree::fields;
@@ -51,7 +53,7 @@ struct BeltLens {
   }
 };
 
-// A scheme for walls: passes that compute fields of the wall particles (here none), and the lens.
+// A wall scheme: passes that compute fields of the wall particles (none here), and the lens.
 struct Belt {
   double speed = 0;  // m/s
   std::tuple<> velocity_passes() const { return {}; }
@@ -65,7 +67,7 @@ struct Belt {
   }
 };
 
-struct SandOnBelt : GranularModels {  // the models of Granular: those that are not named have a default
+struct SandOnBelt : GranularModels {  // models of Granular; any that is not named has a default
   using law = DruckerPrager;
   using walls = Belt;
 };

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A run that can be stopped at any time and continued: Ctrl-C, a limit of a job scheduler, or simply its end.
+// A run that can be continued after it has stopped for any reason: Ctrl-C, the time limit of a job scheduler, or simply
+// the end of the run.
 //
 //   course_08_restart [time to reach in s]
 //
-// Start it, press Ctrl-C, and start it again in the same folder: it continues from checkpoint.h5, and all files end
-// with the same bits as those of a run that was never stopped. A longer time continues a finished run. Remove
-// checkpoint.h5 to begin again. One sees: sand sliding to and fro in a shaken box (particles.vtkhdf, centre.csv).
+// Start the program, press Ctrl-C, and start it again in the same folder: the run continues from checkpoint.h5, and all
+// files end up with the same bits as the files of a run that was never stopped. To continue a finished run, give a
+// longer time. To begin again, remove checkpoint.h5. The files particles.vtkhdf and centre.csv show sand that slides to
+// and fro in a shaken box.
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/checkpoints.hpp>
@@ -45,13 +47,13 @@ int main(int argc, char** argv) {
             .motion = {.amplitude = {0.01, 0}, .period = 0.3, .phase = std::numbers::pi / 2}},
            bed, box);
 
-  // A checkpoint every ten minutes, and when a signal asks the program to stop. The one before it is kept as well. Each
-  // appears under its name when it is complete, so that there is always one to continue from.
+  // A checkpoint is written every ten minutes, and when a signal asks the program to stop. The previous checkpoint is
+  // kept as well. A checkpoint gets its final name only when it is complete, so there is always one to continue from.
   Checkpoints checkpoints({.file = "checkpoint.h5", .interval = 600});
   bool const resumed = std::filesystem::exists("checkpoint.h5");
   if (resumed) solver.restore(checkpoints.read("checkpoint.h5"));
 
-  // Output continues after the time of the checkpoint; later rows and frames of the stopped run are computed again.
+  // Output continues from the time of the checkpoint; later rows and frames of the stopped run are computed again.
   std::vector<CsvColumn> const columns = {{"time", "s"}, {"centre", "m"}, {"velocity", "m/s"}};
   using Written = BodySeries<Fields<Velocity, Stress>>;
   auto output = resumed ? Written::continued("particles.vtkhdf", solver.time(), "particles.vtkhdf")

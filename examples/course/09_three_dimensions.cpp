@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// Three dimensions: a cylinder of sand is released and spreads to a heap.
+// Three dimensions: a cylinder of sand is released and spreads into a heap.
 //
 //   course_09_three_dimensions [particles across the radius] [duration in units of sqrt(H/g)]
 //
-// What changes from two dimensions: Formulation<3>, vectors of three numbers, z points upwards. One sees, in ParaView,
-// particles.vtkhdf (Point Gaussian, coloured by velocity): a cone that stays round. In heap.csv: its radius. For this
-// height of one radius, experiments end at 1 to 1.5 radii beyond the first (Lube et al. 2004).
+// Changes from two dimensions: Formulation<3> is used, vectors have three components, and z points upwards. In
+// ParaView, particles.vtkhdf (Point Gaussian, coloured by velocity) shows a cone that stays round. The table heap.csv
+// has the run-out. For a height of one radius, the run-out in experiments is 1 to 1.5 radii (Lube et al. 2004).
 #include <scree/granular/granular.hpp>
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   double const radius = 0.03, height = radius, dr = radius / across, rho = 1500;  // m, kg/m^3
   double const fall_time = std::sqrt(height / 9.81), c = 12 * std::sqrt(9.81 * height);
 
-  // A shape cut out of a lattice. The floor is a disc, three layers thick.
+  // A cylinder of sand cut out of a lattice. The floor is a disc three layers thick.
   Vec<3, double> const corner(-4 * radius, -4 * radius, -3 * dr);
   auto const sand =
       fill_lattice(Cylinder{.axis = 2, .centre = {0, 0, 0}, .radius = radius, .from = 0, .to = height}, dr, corner);
@@ -61,7 +61,8 @@ int main(int argc, char** argv) {
            {every<S>(0.1 * fall_time,
                      [&](S& now) {
                        output.append(now);
-                       // The rim is where rings two spacings wide are 0.05 heights deep.
+                       // Depth in rings two spacings wide. The rim is the outermost ring with a depth of 0.05 heights
+                       // or more.
                        std::vector<double> depth(static_cast<std::size_t>(2 * across));
                        for (auto const& x : now.material().to_host(position)) {
                          auto const ring = std::size_t(std::hypot(x[0], x[1]) / (2 * dr));

@@ -5,8 +5,8 @@
 //
 //   course_11_own_physics [duration in s] [width of the water over that of the tank]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by fluid_pressure: a dam breaks, water runs along the floor and up
-// the wall. With the width 1 it rests; tank.csv then has the hydrostatic pressure on the floor.
+// In ParaView, particles.vtkhdf coloured by fluid_pressure shows a dam break: water runs along the floor and up the
+// wall. With a width of 1 the water rests, and tank.csv has the hydrostatic pressure on the floor.
 #include <scree/io/body_series.hpp>
 #include <scree/io/csv_series.hpp>
 #include <scree/probes/points.hpp>
@@ -44,7 +44,7 @@ struct PressureForce {  // du_i/dt = -1/rho_i sum_j V_j (p_i + p_j) gradW_ij, sy
     sum[acceleration] += (-j[volume] * (i[fluid_pressure] + j[fluid_pressure]) / i[density]) * ij.gradW();
   }
 };
-struct WallSums {  // over the liquid around a wall particle: its pressure, and the weight in between
+struct WallSums {  // sums over the liquid near a wall particle: pressure with hydrostatic difference, and weights
   double rho0;
   Gravity gravity;
   using reads = Fields<Volume, FluidPressure>;
@@ -57,7 +57,7 @@ struct WallSums {  // over the liquid around a wall particle: its pressure, and 
     sum[weight] += w;
   }
 };
-struct WallPressure {  // their mean, as Adami, Hu & Adams (2012), eq. 27; walls do not pull
+struct WallPressure {  // weighted mean, Adami, Hu & Adams (2012), eq. 27, but never negative: walls do not pull
   using reads = Fields<>;
   using writes = Fields<FluidPressure>;
   template <class I, class T, class O>
@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
   BodySeries output("particles.vtkhdf", Fields<Velocity, FluidPressure>{}, Bodies<Material>{}, {.overwrite = true});
   CsvSeries table("tank.csv", {{"time", "s"}, {"front", "m"}, {"pressure on the floor", "Pa"}, {"rho g depth", "Pa"}});
   solver.run(duration, {every<S>(duration / 50, [&](S& now) {
-               now.update_rates();  // the pressure of this time, not of the last step
+               now.update_rates();  // computes the pressure at this time, not that of the last step
                output.append(now);
                double front = 0, floor = 0;
                for (auto const& x : now.material().to_host(position)) front = std::max(front, x[0] + dr / 2);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// Grains that leave: a silo with a slot in its floor is filled, a gate opens the slot, and what falls out is removed
-// and counted.
+// Grains that leave the domain: a gate opens a slot in the floor of a filled silo, and the grains that fall out are
+// removed and counted.
 //
 //   course_12_silo [width of the slot in m] [duration in s]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by velocity: the bed rests, the gate is drawn aside within 0.05 s,
-// and the silo empties through the slot. In silo.csv: the mass that has left grows at a constant rate while the bed is
-// high, and mass in + mass out is that at the start, to rounding.
+// In ParaView, particles.vtkhdf coloured by velocity shows how the bed rests, the gate takes 0.1 s to drop out of the
+// way, and the silo empties through the slot. In silo.csv the mass that has left grows at a constant rate while the bed
+// is high, and mass in + mass out is constant to rounding error.
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -27,7 +27,7 @@ using Slide = Tabulated<2, 2>;  // a table of two displacements in the plane
 struct Silo : Formulation<2> {
   using physics = Granular<>;
   using motion = MotionOfGroups<5, Slide>;  // up to five groups
-  using integrator = SymplecticEuler;       // for long runs: with three times the step it takes a sixth of the time
+  using integrator = SymplecticEuler;       // for long runs: a sixth of the default's run time, at three times its step
 };
 using S = Solver<Silo>;
 

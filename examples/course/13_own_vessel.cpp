@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A vessel from a file: the inside of a funnel, drawn in mm, is filled with a mass of sand.
+// A vessel from a file: the inside of a funnel, drawn in mm, is filled with a given mass of sand.
 //
 //   python3 vessel.py vessel.stl && course_13_own_vessel vessel.stl [mass in kg] [spacing in mm] [duration in s]
 //
-// One sees what the program says about the file: its triangles, its volume, the thinnest wall in spacings. In
-// particles.vtkhdf: the sand settles in the funnel. In vessel.csv: the force on the vessel over the weight of the mass,
-// which ends at 1, because the particles have exactly this mass.
+// The program reports on the file: the triangles, the volume, and the thinnest wall in spacings. In particles.vtkhdf
+// the sand settles in the funnel. The table vessel.csv has the force on the vessel over the weight of the given mass.
+// This ratio ends at 1, because the particles have exactly this mass.
 #include <scree/granular/granular.hpp>
 #include <scree/granular/wall_forces.hpp>
 #include <scree/io/body_series.hpp>
@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
   auto const bed = fill_with_mass(vessel, mass_of_sand, rho, dr);
   fmt::print("{} particles up to {:.1f} mm\n", bed.points.size(), 1e3 * bed.level);
 
-  // Walls around the inside, up to a little above the bed: the lid of the drawing is left out.
+  // Walls surround the inside up to a little above the bed; the lid in the drawing is left out.
   HalfSpace<3> const rim{.point = {0, 0, bed.level + 4 * dr}, .normal = {0, 0, 1}};
   Groups<3> walls;
   walls.add("vessel", points_within(wall_around(vessel, dr, 3), rim));

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A body that the grains carry and push: a wheel with a given angular speed sinks into a bed and travels.
+// A rigid body carried and pushed by grains: a wheel with a given angular speed sinks into a bed and travels.
 //
 //   course_14_wheel [angular speed in rad/s] [duration in s]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by velocity: the wheel settles, rolls to the right and leaves a rut.
-// In wheel.csv: way and sinkage of the axle, the force of the grains over the weight, whose mean is 1, and the moment
-// that drives the wheel.
+// In ParaView, particles.vtkhdf coloured by velocity shows how the wheel settles, rolls to the right and leaves a rut.
+// The table wheel.csv has the travel and the sinkage of the axle, the vertical force of the grains over the weight of
+// the wheel (on average 1), and the moment that drives the wheel.
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   wheels.add("wheel", fill_lattice(disc, dr));
   Rigid<2> wheel;
   wheel.properties = mass_properties(disc, 1000, dr);  // kg/m^3
-  wheel.given_turning = {-speed};                      // clockwise; the axle is free to sink and to travel
+  wheel.given_turning = {-speed};                      // clockwise; the axle is free to sink and travel
 
   MuOfI<> const sand{.elastic = {.young = 1e6, .poisson = 0.3, .rest_density = rho}, .grains = {.diameter = 0.5e-3}};
   S solver({.spacing = dr, .physics = {.law = sand, .cfl = 0.6}, .rigid = {.bodies = {wheel}}},

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// Contact of rigid bodies with walls and with each other: two stones slide over a floor into a bed of sand.
+// Contact of rigid bodies with walls and with each other: two stones slide along a floor into a bed of sand.
 //
 //   course_15_stone [speed in m/s] [duration in s]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by velocity: the stones slide, ever more slowly, the second runs
-// into the first, and the sand stops both. In stones/first.csv and stones/second.csv: position, velocity and attitude
-// over time, and the forces of grains and of contacts; before the sand the speed falls by the coefficient of friction
-// times g.
+// In ParaView, particles.vtkhdf coloured by velocity shows how the sliding stones slow down, the second runs into the
+// first, and the sand stops both. The tables stones/first.csv and stones/second.csv have position, velocity and
+// attitude over time, and the forces of grains and of contacts. Until a stone reaches the sand, its speed falls at the
+// rate of the coefficient of friction times g.
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
 
   Box<2> const room{{0, 0}, {1.4, 0.3}}, bed{{0.7, 0}, {1.4, depth}};
   Groups<2> stones;
-  RigidBodies<2> rigid{.contact = {.restitution = 0.4, .friction = 0.3}};  // stiff like the sand, unless given
+  RigidBodies<2> rigid{.contact = {.restitution = 0.4, .friction = 0.3}};  // default stiffness: that of the sand
   auto const add = [&](char const* name, Box<2> const& block, double start) {
     stones.add(name, fill_lattice(block, dr));
     rigid.bodies.push_back({.properties = mass_properties(block, 2500, dr), .velocity = {start, 0}});

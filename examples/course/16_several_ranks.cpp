@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A case that is divided into ranks, each with a solver, a thread and a share of the particles.
+// A case that is divided among ranks, each with its own solver, thread and share of the particles.
 //
 //   course_16_several_ranks [ranks] [time to reach in s]
 //
-// The ranks of one process share its CPU threads or its GPU. Ranks that are processes, each with a GPU of its own, need
-// MPI and two other lines (docs/distributed.md). The results have the same bits for any number of ranks: the last line
-// shows a hash of the whole state. One sees: a column of sand collapses (particles.vtkhdf); the share of the first
-// rank, its speed and that of the whole case (shares.csv).
+// The ranks of one process share its CPU threads or its GPU. Ranks that are processes, each with its own GPU, need MPI
+// and changes to two lines (docs/distributed.md). The results are bitwise identical for any number of ranks: the last
+// line of output has a hash of the whole state. In particles.vtkhdf a column of sand collapses. The table shares.csv
+// has the share of rank 0, its largest speed and the largest speed in the whole case.
 #include <scree/distributed/gathered.hpp>
 #include <scree/distributed/other_ranks.hpp>
 #include <scree/distributed/run_on_threads.hpp>
@@ -26,10 +26,10 @@ using namespace scree;
 struct Collapse : Formulation<2> {
   using physics = Granular<>;
 };
-using S = Solver<OnRanks<Collapse>>;  // takes neighbours in an order that does not depend on the ranks
+using S = Solver<OnRanks<Collapse>>;  // the order of neighbours does not depend on the ranks
 using Space = S::Space;
 
-// Each rank runs the same code, with the particles of the whole case. Rank 0 writes the files.
+// Runs one rank. All ranks run this code, starting with the particles of the whole case; rank 0 writes the files.
 void run_rank(Team<Space> const& team, Space const& space, double end) {
   using namespace scree::fields;
   double const width = 0.05, height = 0.1, dr = 0.0025;  // m
@@ -47,7 +47,8 @@ void run_rank(Team<Space> const& team, Space const& space, double end) {
            {every<S>(0.02,
                      [&](S& now) {
                        output.append(now);
-                       // A body of the solver has the particles of this rank; the team joins numbers of all ranks.
+                       // A body of the solver has only the particles of this rank; the team combines values of all
+                       // ranks.
                        auto const u = now.material().to_host(velocity);
                        double speed = 0;
                        for (auto const& each : u) speed = std::max(speed, norm(each));
@@ -55,7 +56,7 @@ void run_rank(Team<Space> const& team, Space const& space, double end) {
                      })},
            progress);
   progress.finish(solver);
-  auto const x = gathered<Material>(solver, position);  // of all particles, in the order of their identities
+  auto const x = gathered<Material>(solver, position);  // positions of all particles, sorted by identity
   double front = 0;
   for (auto const& each : x) front = std::max(front, each[0]);
   auto const hash = state_hash(solver);

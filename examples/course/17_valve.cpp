@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: The scree authors
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 //
-// A component of your own, which takes part in a run: a valve under a silo opens, and closes when a given mass has
-// left.
+// A component of your own that acts during a run: a valve under a silo opens, and closes when a given mass has left.
 //
 //   course_17_valve [mass in kg per m] [duration in s]
 //
-// One sees, in ParaView, particles.vtkhdf coloured by velocity: the slide under the slot is drawn aside, the silo
-// empties, and the slide comes back and holds the rest. In valve.csv: the mass below the slot grows at a constant rate
-// to a little above the given one, what flowed while the slide closed, and stays. The component is saved with the
-// solver, so that an interrupted run continues with the same bits.
+// In ParaView, particles.vtkhdf coloured by velocity shows how the slide under the slot moves aside, the silo empties,
+// and the slide comes back and retains the rest. In valve.csv the mass below the slot grows at a constant rate to a
+// little above the given mass, because grains still flow while the slide closes, and then stays constant. The component
+// is saved with the solver, so an interrupted run continues with the same bits.
 #include <scree/granular/granular.hpp>
 #include <scree/integrators/symplectic_euler.hpp>
 #include <scree/io/body_series.hpp>
@@ -27,14 +26,14 @@ using namespace scree;
 
 struct Silo : Formulation<2> {
   using physics = Granular<>;
-  using motion = MotionOfGroups<2, Steered<2>>;  // a motion whose velocity changes during the run
+  using motion = MotionOfGroups<2, Steered<2>>;  // a motion whose velocity can change during the run
   using integrator = SymplecticEuler;
 };
 using S = Solver<Silo>;
 
 double const slot = 0.03, width = 0.12, height = 0.15, dr = 0.003, rho = 1500;  // m, kg/m^3
 
-/// Decides between two steps how the slide moves.
+/// A component that sets the velocity of the slide between time steps.
 class Valve : public Component<S> {
  public:
   Valve(int slide, double wanted) : slide_(slide), wanted_(wanted) {}

@@ -30,7 +30,7 @@
 #include <stdexcept>
 #include <vector>
 
-// A rigid strip or wheel on a bed of soil, and the force and moment of the soil on it.
+// A rigid strip or wheel on a bed of soil, and the force and moment that the soil exerts on it.
 namespace footing_and_wheel {
 
 using X = scree::Vec<2, double>;
@@ -52,7 +52,7 @@ struct Formulation : scree::Formulation<2, Real> {
 inline scree::Granular<Models> physics_of(Options const& o) {
   auto const& soil = o.soil;
   scree::MohrCoulomb const strength{radians(soil.friction_angle), soil.cohesion};
-  bool const loose = soil.cohesion == 0;  // opens without resistance, and has to close again
+  bool const loose = soil.cohesion == 0;  // gaps open without resistance and have to close again
   scree::DruckerPrager const law{{soil.young, soil.poisson, soil.density}, scree::plane_strain_cone(strength)};
   return {.law = {law, loose},
           .gravity = {soil.gravity},
@@ -61,7 +61,7 @@ inline scree::Granular<Models> physics_of(Options const& o) {
           .volume_control = {.per_strain = loose ? 3.0 : 0.0}};
 }
 
-/// The rigid body, its particles and their volumes (m^2).
+/// The rigid body, its particles and the volumes of the particles (m^2).
 struct Placed {
   scree::Rigid<2> rigid = {};
   scree::Groups<2> particles = {};
@@ -94,7 +94,7 @@ inline Placed wheel_of(Options const& o) {
 }
 inline Placed placed(Options const& o) { return o.body.tool == Tool::strip ? strip_of(o) : wheel_of(o); }
 
-/// A rough floor and smooth sides, higher than the soil that a body may push up.
+/// Returns the particles of a rough floor and of smooth sides that are higher than the soil pushed up by the body.
 inline scree::Groups<2> walls_of(Options const& o) {
   double const L = o.bed.length, top = 1.5 * o.bed.depth, t = 4 * o.numerics.spacing, dr = o.numerics.spacing;
   X const anchor(-t, -t);
@@ -105,11 +105,12 @@ inline scree::Groups<2> walls_of(Options const& o) {
   return walls;
 }
 
-/// The body at a moment, or on average; forces and moments of the soil, per m of depth.
+/// The state of the body at an instant or on average, with the forces and moments exerted by the soil, per metre of
+/// depth.
 struct Reading {
   double travel = 0, sinkage = 0, speed = 0, rising = 0;  // m, m, m/s, m/s
-  double drawbar = 0, support = 0, torque = 0;            // N/m, N/m, N m/m; the last one drives the wheel
-  double dissipated = 0;                                  // W/m; power that the body gives to the soil
+  double drawbar = 0, support = 0, torque = 0;            // N/m, N/m, N m/m; the torque drives the wheel
+  double dissipated = 0;                                  // W/m; power transferred from the body to the soil
 
   template <class S>
   static Reading of(S const& now, X const& start) {
@@ -128,7 +129,7 @@ struct Reading {
   }
 };
 
-/// The means of the last part of a run.
+/// The mean reading over the last part of a run.
 class Steady {
  public:
   explicit Steady(double from) : from_(from) {}
@@ -136,7 +137,7 @@ class Steady {
     if (time >= from_) sum_.add(reading, 1), ++number_;
   }
   Reading mean() const { return number_ > 0 ? Reading{}.add(sum_, 1.0 / number_) : Reading{}; }
-  /// The sums, for a checkpoint and from one.
+  /// Returns the sums for a checkpoint; take() restores them.
   std::vector<double> numbers() const {
     auto const sum = std::bit_cast<std::array<double, 8>>(sum_);
     std::vector<double> all(sum.begin(), sum.end());
@@ -180,7 +181,7 @@ inline void report(app::Run<Options> const& run, Reading const& mean, Reading co
   scree::write_file(run.output / "summary.json", app::to_json(summary));
 }
 
-/// Runs a case, or one rank of it, and writes its table and frames.
+/// Runs a case, or one rank of a case, and writes its table and frames.
 template <class P>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;

@@ -33,9 +33,9 @@ struct Wheel {
   double radius = 0.1;                                                     // m
   double load = 100;                                                       // N/m
   double turning = 2;                                                      // rad/s
-  std::optional<double> slip = {};                                         // of a given travelling speed
-  double speed() const { return turning * radius; }                        // of the rim, m/s
-  double given_speed() const { return speed() * (1 - slip.value_or(0)); }  // of the axle, m/s
+  std::optional<double> slip = {};                                         // if given, sets the travelling speed
+  double speed() const { return turning * radius; }                        // speed of the rim, m/s
+  double given_speed() const { return speed() * (1 - slip.value_or(0)); }  // speed of the axle, m/s
   double fastest() const { return speed() * (1 - std::min(0.0, slip.value_or(0))); }
 };
 struct Bed {
@@ -59,7 +59,7 @@ struct Output {
   double duration = 2;        // s
   double interval = 5e-3;     // s
   double frames = 0.05;       // s
-  double checkpoints = 1800;  // s of wall time
+  double checkpoints = 1800;  // s of wall-clock time
   std::string restart_from = {};
 };
 struct Options {
@@ -74,7 +74,7 @@ struct Options {
 
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// The pressure (Pa) at which a strip breaks into soil without friction (Prandtl 1920).
+/// Returns the bearing capacity (Pa) of frictionless soil under a strip (Prandtl 1920).
 inline double bearing_capacity(Options const& o) { return (2 + std::numbers::pi) * o.soil.cohesion; }
 
 inline app::Schema<Options> schema() {

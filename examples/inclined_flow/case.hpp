@@ -15,16 +15,16 @@
 #include <numbers>
 #include <string>
 
-// The options of a flow of grains down a rough slope. `inclined_flow --options` prints the table.
+// The options of a granular flow down a rough slope. `inclined_flow --options` prints the table.
 namespace inclined_flow {
 
 namespace app = scree::app;
 
 struct Slope {
   double angle = 24;       // degrees
-  double diameter = 5e-4;  // m, of the grains
-  double depth = 10;       // of grains
-  double start = 0.7;      // of the exact velocity
+  double diameter = 5e-4;  // diameter of the grains, m
+  double depth = 10;       // depth of the layer, in grain diameters
+  double start = 0.7;      // initial velocity over the exact velocity
 };
 
 struct Model {
@@ -35,7 +35,7 @@ struct Model {
 };
 
 struct Numerics {
-  int rows = 20;           // of particles over the depth
+  int rows = 20;           // rows of particles over the depth
   double sound_speed = 4;  // m/s
   double cfl = 0.4;
   int ranks = 1;
@@ -44,7 +44,7 @@ struct Numerics {
 struct Output {
   double duration = 4;        // settling times of the exact flow
   double interval = 0.25;     // settling times
-  double checkpoints = 1800;  // s of wall time
+  double checkpoints = 1800;  // s of wall-clock time
   std::string restart_from = {};
 };
 
@@ -55,40 +55,40 @@ struct Options {
   Output output;
 };
 
-/// Whether the slope is between the angle at which flow starts and the one up to which it is steady.
+/// Whether the slope is between the angle above which the layer flows and the angle up to which flow is steady.
 inline bool flows_steadily(Options const& o) {
   auto const k = [](double mu) { return 3 * mu / std::sqrt(9 + 12 * mu * mu); };
   double const slope = std::tan(o.slope.angle * std::numbers::pi / 180);
   return slope > k(o.model.mu_s) && slope < k(o.model.mu_d);
 }
 
-/// Whether the weight of the layer compresses its lowest grains by 5 % at most. K = rho c^2 (1 + nu)/(3 (1 - nu)) with
+/// Whether the weight of the layer compresses its lowest grains by at most 5 %. K = rho c^2 (1 + nu)/(3 (1 - nu)) with
 /// the Poisson ratio of beads(), 0.3.
 inline bool is_stiff_enough(Options const& o) {
   double const depth = o.slope.depth * o.slope.diameter, angle = o.slope.angle * std::numbers::pi / 180;
   double const bulk_modulus_over_density = 1.3 / 2.1 * o.numerics.sound_speed * o.numerics.sound_speed;
   return 9.81 * std::cos(angle) * depth <= 0.05 * bulk_modulus_over_density;
 }
-/// The inertial number of the steady flow, equal to Bagnold::inertial_number() in layer.hpp.
+/// Returns the inertial number of the steady flow, which equals Bagnold::inertial_number() in layer.hpp.
 inline double inertial_number(Options const& o) {
   double const k = std::tan(o.slope.angle * std::numbers::pi / 180), mu = 3 * k / std::sqrt(9 - 12 * k * k);
   return o.model.I0 * (mu - o.model.mu_s) / (o.model.mu_d - mu);
 }
-/// Speed of the surface in Bagnold's profile, m/s, equal to Bagnold::velocity() in layer.hpp.
+/// Returns the surface speed in Bagnold's profile (m/s), which equals Bagnold::velocity() at the surface in layer.hpp.
 inline double surface_speed(Options const& o) {
   double const angle = o.slope.angle * std::numbers::pi / 180, depth = o.slope.depth * o.slope.diameter;
-  double const gravity = 9.81, fraction = 0.6;  // m/s^2; volume fraction of grains
+  double const gravity = 9.81, fraction = 0.6;  // m/s^2, and the volume fraction of the grains
   return 2.0 / 3 * inertial_number(o) / o.slope.diameter * std::sqrt(fraction * gravity * std::cos(angle)) *
          std::pow(depth, 1.5);
 }
-/// Whether the wave speed in the softened material is well above the speed of the grains. Otherwise the pressure is not
-/// that of a flow of constant density.
+/// Whether the initial speed of the grains is at most 0.3 times the wave speed in the softened material. Above that,
+/// the pressure differs from the pressure in a flow of constant density.
 inline bool starts_subsonic(Options const& o) {
   return o.slope.start == 0 || !flows_steadily(o) || o.slope.start * surface_speed(o) <= 0.3 * o.numerics.sound_speed;
 }
 
-/// A warning where the law is ill-posed at the inertial number of the steady flow, but not at all others, of which the
-/// solver warns; empty otherwise.
+/// Returns a warning if the law is ill-posed at the inertial number of the steady flow but well-posed at some other
+/// one, or an empty string otherwise. The solver itself warns of a law that is ill-posed everywhere.
 inline std::string note_on_law(Options const& o) {
   scree::MuOfI<> const law{.mu_s = o.model.mu_s, .mu_d = o.model.mu_d, .I0 = o.model.I0};
   double const I = inertial_number(o);
@@ -142,10 +142,10 @@ inline app::Schema<Options> schema() {
   return schema;
 }
 
-/// The results of a run at its end.
+/// The results at the end of a run.
 struct Outcome {
-  double deviation = 0;                              ///< from the exact velocity, largest between 0.2 H and 0.8 H
-  double ratio = 0;                                  ///< mean velocity in that of the exact flow
+  double deviation = 0;                              ///< largest relative one from the exact velocity, 0.2 H to 0.8 H
+  double ratio = 0;                                  ///< mean velocity over the mean exact velocity
   double settling_time = 0, granular_viscosity = 0;  ///< s, m^2/s
   app::Figures figures = {};
   double wall_seconds = 0;

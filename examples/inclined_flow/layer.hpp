@@ -22,22 +22,25 @@
 #include <array>
 #include <cmath>
 
-// A layer in plane strain that is periodic down the slope, on a rough floor, and the exact flow.
+// A layer on a rough floor in plane strain, periodic down the slope, and the exact solution of its flow.
 namespace inclined_flow {
 
-/// Steady uniform flow of a mu(I) material down a rough plane, plane strain. p = rho g cos(theta)(H - y) and the shear
-/// stress rho g sin(theta)(H - y) have the ratio tan(theta) everywhere, so friction, and with it I, are uniform; the
-/// shear rate I sqrt(p/rho_s)/d integrates to Bagnold's profile. The friction of plane shear is k_mu, not mu.
+/// The steady uniform flow of a mu(I) material down a rough plane in plane strain. The shear stress rho g sin(theta)(H
+/// - y) is tan(theta) times the pressure p = rho g cos(theta)(H - y) everywhere, so the friction, and with it I, is
+/// uniform. The shear rate I sqrt(p/rho_s)/d then integrates to Bagnold's profile. The friction coefficient in plane
+/// shear is k_mu, not mu.
 struct Bagnold {
   scree::MuOfI<> law;
   double angle = 0;  ///< theta, rad
   double depth = 0;  ///< H, m
   double gravity = 9.81;
 
-  /// mu for which k_mu = tan(theta): k = 3 mu/sqrt(9 + 12 mu^2) solved for mu. Not a number for k >= sqrt(3)/2.
+  /// Returns the mu that solves k = 3 mu/sqrt(9 + 12 mu^2), where k is tan(theta). The result is not finite for k >=
+  /// sqrt(3)/2.
   static double friction_for(double k) { return 3 * k / std::sqrt(9 - 12 * k * k); }
 
-  /// Flow starts where tan(theta) = k_mu at rest and is steady up to k_mu at large I; angles in rad.
+  /// Returns the angle (rad) at which flow starts, with tan(theta) = k_mu at rest. Flow is steady up to
+  /// greatest_angle(), with k_mu at large I.
   double least_angle() const { return std::atan(scree::friction_ratio(law.mu_s)); }
   double greatest_angle() const { return std::atan(scree::friction_ratio(law.mu_d)); }
 
@@ -54,19 +57,19 @@ struct Bagnold {
     double const scale = std::sqrt(fraction * gravity * std::cos(angle)) * std::pow(depth, 1.5);
     return 2.0 / 3 * inertial_number() / law.grains.diameter * scale * (1 - std::pow(left, 1.5));
   }
-  /// Kinematic viscosity against small changes of the shear rate, (1/rho) dtau/d(shear rate) at half depth, m^2/s: the
-  /// reference for other viscosities; it also sets the settling time of the profile.
+  /// Returns the kinematic viscosity for small changes of the shear rate, (1/rho) dtau/d(shear rate), at half depth,
+  /// m^2/s. Other viscosities are compared with this value, which also sets the settling time of the profile.
   double differential_viscosity() const {
     double const I = inertial_number(), p = pressure(depth / 2), mu = friction_for(std::tan(angle));
     double const dmu_dI = (law.mu_d - law.mu_s) * law.I0 / scree::sq(law.I0 + I);
     double const dk_dmu = 27 / std::pow(9 + 12 * mu * mu, 1.5);
     return p * dk_dmu * dmu_dI * law.grains.diameter / std::sqrt(p / law.grain_density) / law.density();
   }
-  /// Decay time of the slowest disturbance of a layer that is fixed below and free above, s.
+  /// Returns the decay time (s) of the slowest disturbance of a layer that is fixed at the bottom and free at the top.
   double settling_time() const { return scree::sq(2 * depth / 3.14159265358979) / differential_viscosity(); }
 };
 
-/// Models with a viscosity that keeps rows in order and vanishes in a steady flow.
+/// Granular models with a viscosity that keeps the particle rows in order and vanishes in steady flow.
 struct Models : scree::GranularModels {
   using viscosity = scree::ResidualViscosity;
 };
@@ -78,7 +81,7 @@ struct Formulation : scree::Formulation<2, Real> {
   using integrator = scree::SymplecticEuler;
 };
 
-/// Grains with the density of Zhu et al. (2024), Table 1, and the wave speed `sound_speed` (m/s).
+/// Returns grains with the density of Zhu et al. (2024), Table 1, and the wave speed `sound_speed` (m/s).
 inline scree::MuOfI<> beads(double sound_speed, double diameter) {
   double const nu = 0.3, rho = 1500;
   double const young = rho * scree::sq(sound_speed) * (1 + nu) * (1 - 2 * nu) / (1 - nu);
@@ -86,13 +89,13 @@ inline scree::MuOfI<> beads(double sound_speed, double diameter) {
 }
 
 struct Numbers {
-  int rows = 20;                 ///< over the depth
+  int rows = 20;                 ///< rows of particles over the depth
   double viscosity_speed = 0.5;  ///< m/s
   double cfl = 0.4;
-  double start = 1;  ///< of the exact velocity
+  double start = 1;  ///< initial velocity over the exact velocity
 };
 
-/// A layer ten spacings long under the stress of the exact flow.
+/// Returns the solver of a layer ten spacings long that starts with the stress of the exact flow.
 template <class P>
 scree::Solver<P> layer(Bagnold const& flow, Numbers const& numbers, typename P::space const& space,
                        app::Ranks<P> const& ranks) {
@@ -121,12 +124,12 @@ inline Bagnold flow_of(Options const& o) {
   return {.law = law, .angle = o.slope.angle * std::numbers::pi / 180, .depth = o.slope.depth * o.slope.diameter};
 }
 
-/// Means over slices as thick as a row, upwards: height in H, velocity, that of the exact flow (m/s), pressure in the
-/// exact one; and what follows from them.
+/// Means over slices as thick as a row, from the bottom: height (in H), velocity (m/s), exact velocity (m/s) and
+/// pressure over the exact pressure; and two measures of the error.
 struct Profile {
   std::vector<std::array<double, 4>> slices = {};
-  double deviation = 0;  ///< from the exact velocity, largest between 0.2 H and 0.8 H
-  double ratio = 0;      ///< mean velocity in that of the exact flow
+  double deviation = 0;  ///< largest relative one from the exact velocity, 0.2 H to 0.8 H
+  double ratio = 0;      ///< mean velocity over the mean exact velocity
 };
 
 template <class S>
@@ -136,7 +139,7 @@ Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
     double number = 0, height = 0, velocity = 0, exact = 0, pressure = 0;
   };
   auto const [x, u, sigma] = solver.whole().values(position, velocity, stress);
-  std::vector<Slice> slices(std::size_t(rows) + 1);  // the last one: everything above
+  std::vector<Slice> slices(std::size_t(rows) + 1);  // the last slice has everything above the layer
   for (std::size_t i = 0; i < x.size(); ++i) {
     double const row = std::clamp(x[i][1] / flow.depth * rows, 0.0, double(rows));
     Slice& s = slices[std::size_t(row)];
@@ -156,7 +159,7 @@ Profile profile_of(S const& solver, Bagnold const& flow, int rows) {
   return profile;
 }
 
-/// Runs a case, or one rank of it, and writes its tables and frames.
+/// Runs a case, or one rank of a case, and writes its tables and frames.
 template <class P>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   Options const& o = run.options;

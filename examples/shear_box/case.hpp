@@ -16,8 +16,8 @@
 #include <optional>
 #include <vector>
 
-// The options of the oscillating shear box of Zhu, Peng & Wu (2024), section 5. Initialisers are defaults, and the
-// paper's values wherever it gives one. `shear_box --options` prints the table.
+// The options of the oscillating shear box of Zhu, Peng & Wu (2024), section 5. Initialisers are the defaults, which
+// are the paper's values where the paper gives them. `shear_box --options` prints the table.
 namespace shear_box {
 
 namespace app = scree::app;
@@ -26,7 +26,8 @@ enum class Scheme { hcsr, conservative };
 
 enum class Flux { symmetric, asymmetric };
 
-/// The length B in [V] = V T/B, [D] = D T/B^2 of (5.2): the paper's chi values need one, its quoted times the other.
+/// The choice of the length B in [V] = V T/B, [D] = D T/B^2 of (5.2): the chi values in the paper imply one length, the
+/// mixing times quoted there the other.
 enum class Reading { chi, times };
 
 enum class Closure { constant, shear_rate };
@@ -42,14 +43,14 @@ struct Geometry {
   double period = 13;      // s, T
   double amplitude = 30;   // degrees; gamma0 is its tangent
   double d_small = 0.004;  // m, diameter of the small grains
-  double d_large = 0.008;  // m, of the large ones
+  double d_large = 0.008;  // m, diameter of the large grains
   bool upright = false;
 };
 
 struct Model {
   Scheme scheme = Scheme::conservative;
   Flux flux = Flux::symmetric;
-  std::optional<double> A = {}, kappa = {};  // by the name of the flux when not given
+  std::optional<double> A = {}, kappa = {};  // if not given, set by the flux
   Reading reading = Reading::chi;
   Closure closure = Closure::constant;
   double V_star = 3.0e-2;   // [V] of (5.2)
@@ -63,24 +64,24 @@ struct Numerics {
   double smoothing = 1.5;  // h/dr
   Precision precision = Precision::double_precision;
   DepthBoundary depth_boundary = DepthBoundary::periodic;
-  double jitter = 0;  // of dr
+  double jitter = 0;  // largest displacement, in dr
   int seed = 1;
   int ranks = 1;
 };
 
 struct Time {
   double periods = 120;           // T
-  double strain_per_step = 0.05;  // of the box
-  double cfl_segregation = 0.1;   // of h/(A V)
-  double cfl_diffusion = 0.1;     // of h^2/D
+  double strain_per_step = 0.05;  // shear strain of the box
+  double cfl_segregation = 0.1;   // in h/(A V)
+  double cfl_diffusion = 0.1;     // in h^2/D
 };
 
 struct Output {
   std::vector<double> compared = {20, 40, 60, 80, 120};  // T
   double history_interval = 0.5;                         // T
   double frame_interval = 5;                             // T
-  double reference_spacing = 0.005;                      // of H
-  double checkpoints = 1800;                             // s of wall time
+  double reference_spacing = 0.005;                      // H
+  double checkpoints = 1800;                             // s of wall-clock time
   std::string restart_from = {};
 };
 
@@ -91,19 +92,20 @@ struct Options {
   Time time;
   Output output;
 
-  /// F = A C (1 - C)(1 - kappa C). The paper's A for the asymmetric flux gives both about the same maximum.
+  /// Returns A in F = A C (1 - C)(1 - kappa C). With the paper's A for the asymmetric flux, both fluxes have about the
+  /// same maximum.
   double flux_amplitude() const { return model.A.value_or(model.flux == Flux::symmetric ? 1.0 : 1.6); }
   double flux_asymmetry() const { return model.kappa.value_or(model.flux == Flux::symmetric ? 0.0 : 0.89); }
 };
 
-// Quantities that follow from the options by arithmetic alone, in SI units.
+// Quantities computed from the options alone, in SI units.
 
 inline double gamma0(Options const& o) { return std::tan(o.geometry.amplitude * std::numbers::pi / 180); }
 
-/// dr, m.
+/// Returns the particle spacing dr, m.
 inline double spacing(Options const& o) { return o.numerics.spacing * o.geometry.height; }
 
-/// V and D of (5.2), m/s and m^2/s. B = H gamma0 ("chi") or H ("times").
+/// V (m/s) and D (m^2/s) of (5.2), with B = H gamma0 ("chi") or B = H ("times").
 struct Coefficients {
   double V, D;
 };
@@ -197,7 +199,7 @@ inline void describe_method(app::Schema<Options>& schema) {
 
 }  // namespace detail
 
-/// The options with name, unit, range and meaning.
+/// Returns the schema of the options: name, unit, range and meaning of each.
 inline app::Schema<Options> schema() {
   app::Schema<Options> schema;
   detail::describe_box(schema);

@@ -8,16 +8,16 @@
 
 namespace shear_box {
 
-/// Material coordinates of each particle, in H; they never change, because the box moves affinely.
+/// Material coordinates of each particle, in H. The coordinates never change, because the box deforms affinely.
 struct MaterialPoints {
-  std::vector<double> X, Z;        ///< as placed, jitter included
-  std::vector<std::size_t> row;    ///< number of its lattice row, from the bottom
-  std::vector<bool> central;       ///< in one of the columns closest to the middle of the width
+  std::vector<double> X, Z;        ///< initial coordinates, with jitter
+  std::vector<std::size_t> row;    ///< index of the lattice row, from the bottom
+  std::vector<bool> central;       ///< whether in a column closest to mid-width
   std::vector<double> row_height;  ///< z/H of each row
 };
 
-/// `cells`: lattice positions of the particles; `placed`: their initial positions (m; the last coordinate is the
-/// height).
+/// Returns the material points of particles with lattice positions `cells` and initial positions `placed` (m; the last
+/// coordinate is the height).
 template <class Vector>
 MaterialPoints material_points(Options const& o, std::vector<Vector> const& cells, std::vector<Vector> const& placed) {
   constexpr int up = Vector::RowsAtCompileTime - 1;
@@ -65,7 +65,7 @@ RowMeans row_means(MaterialPoints const& m, Values const& value) {
   return means;
 }
 
-/// Mean absolute and root mean square difference (5.3), (5.4) of two profiles.
+/// The mean absolute difference (5.3) and the root mean square difference (5.4) of two profiles.
 struct Error {
   double mae = 0, rmse = 0;
 };
@@ -79,7 +79,7 @@ inline Error error(std::vector<double> const& found, std::vector<double> const& 
   return e;
 }
 
-/// One compared time: the state of the particles and the references, sampled at the particles.
+/// The comparison at one time: the state of the particles, and the references sampled at the particles.
 struct Comparison {
   double time = 0;  ///< T
   RowMeans found, best, one_dimensional;

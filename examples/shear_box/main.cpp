@@ -67,7 +67,7 @@ void Results::keep_profile(double time, std::vector<double> C) {
 }
 
 void Results::finish(app::Figures const& figures, bool interrupted) {
-  if (!scree::writes_files()) return;  // another rank solves the references
+  if (!scree::writes_files()) return;  // rank 0 solves the references
   double const wall = scree::wall_seconds() - start_;
   auto const write = [&](References const& references) {
     std::vector<Comparison> comparisons;
@@ -76,8 +76,8 @@ void Results::finish(app::Figures const& figures, bool interrupted) {
     write_summary(figures, wall, references, comparisons);
     return comparisons;
   };
-  write(unsolved_references(kept_times_));  // the run's own results are safe before references are solved, which takes
-                                            // a while
+  write(unsolved_references(kept_times_));  // saves the results of the run before the references are solved, which
+                                            // takes a while
   if (interrupted) return;
   auto const references = solve_references(run_.options, kept_times_);
   print(references, write(references));
@@ -132,7 +132,7 @@ void Results::write_summary(app::Figures const& figures, double wall, References
                        {"max_C", highest_},
                        {"intensity", mixing_.intensity},
                        {"lacey", mixing_.lacey},
-                       {"limiter_total", 0.0},  // no scheme changes C outside its equation
+                       {"limiter_total", 0.0},  // no scheme limits C
                        {"reference", references.best_name},
                        {"reference_one_dimensional", references.one_dimensional_name},
                        {"compared", compared}};

@@ -6,7 +6,7 @@
 
 #include <scree/scree.hpp>
 
-// Converts the options of a case to models and particles of the library, in SI units.
+// Functions that convert the options of a case to models and particles of the library, in SI units.
 namespace shear_box {
 
 inline scree::SegregationFlux flux(Options const& o) {
@@ -21,7 +21,7 @@ inline scree::OscillatingShear motion(Options const& o) {
           .strain_per_step = o.time.strain_per_step};
 }
 
-/// The closures by their types, so that a formulation can name one.
+/// Returns the closure of type C, so that a formulation can choose the closure by type.
 template <class C>
 C closure(Options const& o);
 template <>
@@ -29,7 +29,8 @@ inline scree::ConstantClosure closure(Options const& o) {
   auto const [V, D] = coefficients(o);
   return {.velocity = V, .diffusivity = D};
 }
-/// chi_V, chi_D of (5.6): V and D averaged over a period are those of (5.2) where d_avg = d_bar.
+/// Returns the closure with chi_V, chi_D of (5.6): if d_avg = d_bar, V and D averaged over a period equal V and D of
+/// (5.2).
 template <>
 inline scree::ShearRateClosure closure(Options const& o) {
   auto const [V, D] = coefficients(o);
@@ -40,7 +41,7 @@ inline scree::ShearRateClosure closure(Options const& o) {
           .d_large = o.geometry.d_large};
 }
 
-/// The filled part of the box at rest; the first coordinate runs along the motion, the last one upwards.
+/// Returns the filled part of the box at rest. The first coordinate is along the motion, the last one upwards.
 template <int Dim>
 scree::Box<Dim> bed(Options const& o) {
   scree::Box<Dim> box{scree::Vec<Dim, double>::Zero(), scree::Vec<Dim, double>::Zero()};
@@ -59,12 +60,14 @@ std::vector<scree::Period> periods(Options const& o) {
   return {{.axis = 1, .low = 0, .high = bed<Dim>(o).high[1]}};
 }
 
-/// Material particles fill the bed. `cells`: their lattice positions, before any jitter.
+/// Positions of the particles: `material` fills the bed; `cells` are the lattice positions of the material before any
+/// jitter.
 template <int Dim>
 struct Points {
   std::vector<scree::Vec<Dim, double>> cells, material, wall;
 };
-/// Walls have the number of rows that the support needs (at least three) and rise 20 rows above the bed.
+/// Returns the positions of material and walls. The walls have as many rows as the support needs (at least three) and
+/// rise 20 rows above the bed.
 template <int Dim>
 Points<Dim> points(Options const& o) {
   double const dr = spacing(o), rows = std::max(3.0, std::ceil(2 * o.numerics.smoothing)) * dr;
@@ -88,10 +91,11 @@ Points<Dim> points(Options const& o) {
   return points;
 }
 
-/// Large grains below H/2, small ones above (5.1); the fraction of small ones in a cell that holds both.
+/// Returns the initial concentration of small grains at height z (5.1): 0 below H/2, 1 above, and the fraction above
+/// H/2 for a cell that contains H/2.
 inline double layered(double z, Options const& o) {
   double const low = z - spacing(o) / 2 - o.geometry.height / 2;
-  double const share = std::round(1e9 * (low / spacing(o) + 1)) / 1e9;  // 0 and 1 without rounding errors
+  double const share = std::round(1e9 * (low / spacing(o) + 1)) / 1e9;  // exactly 0 and 1 despite rounding
   return std::clamp(share, 0.0, 1.0);
 }
 

@@ -12,13 +12,14 @@
 #include <limits>
 #include <string>
 
-// The reference solutions of a run. Lengths in H, times in T, material coordinates X, Z.
+// The reference solutions of a run. Lengths are in H, times in T; X, Z are material coordinates.
 namespace shear_box {
 
-/// C(X, Z) at one time.
+/// A solution C(X, Z) at one time.
 using Solution = std::function<double(double X, double Z)>;
 
-/// `best` is the solution of the problem that was run; `one_dimensional` neglects the walls' inclination.
+/// Reference solutions at some times. `best` solves the same problem as the run; `one_dimensional` neglects the
+/// inclination of the walls.
 struct References {
   std::string best_name, one_dimensional_name;
   std::vector<double> times;
@@ -81,14 +82,14 @@ void solve_all(References& found, Options const& o, Closure const& closure) {
 
 }  // namespace detail
 
-/// NaN for references that are not solved yet.
+/// Returns references with NaN for all values, for use before they are solved.
 inline References unsolved_references(std::vector<double> const& times) {
   Solution const missing = [](double, double) { return std::numeric_limits<double>::quiet_NaN(); };
   std::vector<Solution> const all(times.size(), missing);
   return {.best_name = "none", .one_dimensional_name = "none", .times = times, .best = all, .one_dimensional = all};
 }
 
-/// Solves for the given times (in T, rising).
+/// Returns the references at the given times (in T, increasing).
 inline References solve_references(Options const& o, std::vector<double> const& times) {
   References found{.best_name = {}, .one_dimensional_name = {}, .times = times, .best = {}, .one_dimensional = {}};
   auto const mean = detail::dimensionless(o);

@@ -10,35 +10,37 @@
 #include <scree/io/csv_series.hpp>
 #include <scree/run/wall_clock.hpp>
 
-// The files that a run writes, apart from particles.vtkhdf, see the README in this folder. Times in T, heights in H.
+// The files that a run writes, apart from particles.vtkhdf; see the README in this folder. Times are in T, heights in
+// H.
 namespace shear_box {
 
-/// Measures of mixing: NaN where C is not finite.
+/// Measures of mixing, NaN if C is not finite.
 struct Mixing {
-  double intensity = 0;  ///< of segregation, 1: apart, 0: mixed
-  double lacey = 0;      ///< Lacey's index in cells of four spacings, 0: apart, 1: mixed
+  double intensity = 0;  ///< of segregation, 1: separated, 0: mixed
+  double lacey = 0;      ///< Lacey's index in cells of four spacings, 0: separated, 1: mixed
 };
 
 class Results {
  public:
   Results(app::Run<Options> const& run, MaterialPoints points);
 
-  /// history.csv.
+  /// Returns the columns of history.csv.
   static app::Table table(Options const& o);
-  /// Takes the table that add_history() writes to.
+  /// Sets the table that add_history() writes to.
   void open(scree::CsvSeries history) { history_.emplace(std::move(history)); }
-  /// Writes the kept numbers to a checkpoint and reads them from one.
+  /// Returns the numbers for a checkpoint; take() restores them.
   std::vector<double> numbers() const;
   void take(std::vector<double> const& all);
 
-  /// Times at which profiles are compared, T; those beyond the end of the run are left out.
+  /// Returns the times (T) at which profiles are compared, without times beyond the end of the run.
   std::vector<double> compared_times() const;
-  /// Writes a row of history.csv from the concentrations of the particles and the measures of mixing; throws if C is
-  /// not finite.
+  /// Writes a row of history.csv from the concentrations of the particles and the measures of mixing. Throws
+  /// std::runtime_error if C is not finite.
   void add_history(double time, std::vector<double> const& C, Mixing const& mixing);
-  /// Keeps the concentrations for finish().
+  /// Stores the concentrations for finish().
   void keep_profile(double time, std::vector<double> C);
-  /// Solves the references, unless the run was interrupted, writes what needs them and prints the comparison.
+  /// Writes the profiles and the summary. Unless the run was interrupted, solves the references, writes both again and
+  /// prints the comparison.
   void finish(app::Figures const& figures, bool interrupted);
 
  private:

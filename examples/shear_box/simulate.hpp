@@ -16,8 +16,8 @@
 #include <cmath>
 #include <limits>
 
-// The oscillating shear box of Zhu, Peng & Wu (2024), section 5: the affine motion of the box is prescribed (5), the
-// concentration of small grains follows (2.10) without flux through any boundary.
+// The oscillating shear box of Zhu, Peng & Wu (2024), section 5: the affine motion of the box is prescribed (5); the
+// concentration of small grains follows (2.10), with no flux through any boundary.
 namespace shear_box {
 
 template <int Dim, class Real, class Segregation>
@@ -26,14 +26,14 @@ struct Formulation : scree::Formulation<Dim, Real> {
   using motion = scree::OscillatingShear;
   using diagnostics = scree::SurfaceDetection;
   template <class P>
-  using search = scree::CellList<P>;  // the box moves by many particles in a step
+  using search = scree::CellList<P>;  // the box moves by many spacings in a step
 };
 
 /// The fields in particles.vtkhdf.
 using FrameFields = scree::Fields<scree::Concentration, scree::SegregationVelocity, scree::Diffusivity,
                                   scree::SurfaceSet, scree::FreeSurfaceNormal, scree::WallNormal, scree::Identity>;
 
-/// Runs a case, or one rank of it.
+/// Runs a case, or one rank of a case.
 template <class P>
 int simulate_rank(app::Run<Options> const& run, typename P::physics const& segregation, typename P::space const& space,
                   app::Ranks<P> const& ranks) {
@@ -69,7 +69,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::physics const& segre
     auto const C = now.whole().values(concentration);
     return std::vector<double>(C.begin(), C.end());
   };
-  // A state that is not finite is reported by add_history(), in its words.
+  // If C is not finite, add_history() reports the error.
   auto const mixing_of = [](S const& now, std::vector<double> const& C) {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     if (!std::ranges::all_of(C, [](double c) { return std::isfinite(c); })) return Mixing{nan, nan};
@@ -103,7 +103,7 @@ int simulate(app::Run<Options> const& run, Segregation const& segregation) {
                            });
 }
 
-/// Chooses the segregation model by its names in the case file.
+/// Runs a case with the segregation model that the case file names.
 template <int Dim, class Real, class Closure>
 int simulate_with(app::Run<Options> const& run) {
   Options const& o = run.options;

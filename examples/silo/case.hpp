@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-// The options of a silo with a flat floor whose gate opens. `silo --options` prints the table.
+// The options of a flat-bottomed silo whose gate opens. `silo --options` prints the table.
 namespace silo {
 
 namespace app = scree::app;
@@ -37,20 +37,21 @@ struct Numerics {
 struct Output {
   double opens = 0.1, duration = 1.2;     // s
   double interval = 0.02, frames = 0.05;  // s
-  double checkpoints = 1800;              // s of wall time
+  double checkpoints = 1800;              // s of wall-clock time
   std::string restart_from = {};
 };
 struct Options {
   Geometry geometry;
   Material material;
-  app::SpeciesList species;  // empty: d_small, d_large and share
+  app::SpeciesList species;  // if empty, d_small, d_large and share are used
   Numerics numerics;
   Output output;
 };
 
-/// Beverloo, Leniger & van de Velde (1961): rate = C rho sqrt(g) (D - k d)^n with n = 5/2 for a circle (kg/s) and 3/2
-/// for a slot in the plane (kg/(m s)). Material sticks to the edges of the outlet, so that D is narrower here, by half
-/// a spacing in the plane and by one in space.
+/// Returns the coefficient C of Beverloo, Leniger & van de Velde (1961), for rate = C rho sqrt(g) (D - k d)^n with n =
+/// 5/2 for a circular outlet (rate in kg/s) and 3/2 for a slot in the plane (rate in kg/(m s)). Material sticks to the
+/// edges of the outlet, so the width of the outlet less half a spacing in the plane, or one spacing in space, replaces
+/// D - k d.
 inline double beverloo(Options const& o, double rate) {
   bool const is_slot = o.numerics.dimension == 2;
   double const n = is_slot ? 1.5 : 2.5, D = o.geometry.outlet - (is_slot ? 0.5 : 1) * o.numerics.spacing;

@@ -35,15 +35,16 @@
 #include <stdexcept>
 #include <vector>
 
-// A silo whose gate drops; what falls through the outlet is removed and its mass and grain sizes are recorded.
+// A silo whose gate drops. Material that falls through the outlet is removed, and its mass and grain sizes are
+// recorded.
 namespace silo {
 
 template <int Dim>
 using Drop = scree::Tabulated<Dim, 2>;  // a table of two displacements
 
-/// Small grains above large ones.
+/// The model of two grain sizes, with small grains above large ones.
 struct TwoSizes {
-  static constexpr int kinds = 1;  // whose masses are reported: the small ones
+  static constexpr int kinds = 1;  // kinds whose masses are reported: the small grains
   using Grains = scree::BidisperseGrains;
   using Segregation = scree::ConservativeSegregation<scree::ShearRateClosure>;
   using Mixture = scree::Concentration;
@@ -52,12 +53,12 @@ struct TwoSizes {
   static Segregation segregation(Options const& o) {
     return {{.d_small = o.material.d_small, .d_large = o.material.d_large}, scree::SegregationFlux::symmetric()};
   }
-  /// The mixture of a particle at a height (m).
+  /// Returns the concentration of a particle at height z (m) at the start.
   static double start(Options const& o, double z) { return z > (1 - o.material.share) * o.geometry.height ? 1.0 : 0.0; }
   static double share(double C, int) { return C; }
   static std::string name(char const* what, int) { return fmt::format("C_{}", what); }
 };
-/// Layers of the sizes of a list.
+/// The model of the grain sizes in a list, one layer for each size.
 struct ListOfSizes : app::ListOfSizes {
   static constexpr int kinds = species;
   using Mixture = scree::Concentrations<species>;
@@ -95,7 +96,7 @@ typename Formulation<2, Sizes>::physics physics_of(Options const& o) {
       {.law = law, .viscosity_speed = o.numerics.viscosity_speed, .cfl = o.numerics.cfl}, Sizes::segregation(o), 10};
 }
 
-/// The column of space above and below the outlet, m.
+/// Returns the outlet, extended upwards and downwards (m).
 template <int Dim>
 auto outlet_of(Options const& o) {
   double const middle = o.geometry.width / 2, radius = o.geometry.outlet / 2, far = 2 * o.geometry.height;
@@ -105,7 +106,7 @@ auto outlet_of(Options const& o) {
     return scree::Cylinder{2, {middle, middle, 0}, radius, -far, far};
 }
 
-/// A floor four spacings thick with an outlet, four sides and the gate in the outlet.
+/// Returns the wall particles: a floor four spacings thick with an outlet, the sides, and the gate in the outlet.
 template <int Dim>
 scree::Groups<Dim> walls_of(Options const& o) {
   using X = scree::Vec<Dim, double>;
@@ -122,8 +123,8 @@ scree::Groups<Dim> walls_of(Options const& o) {
   return walls;
 }
 
-/// Balances the grains that have left through the outlet and those inside, and of them those of some kinds. Masses in
-/// kg, in the plane kg/m.
+/// The mass balance between the grains that have left through the outlet and the grains inside, in total and for some
+/// kinds of grains. Masses are in kg, or in kg/m in the plane.
 template <class Sizes>
 class Discharge {
  public:
@@ -142,8 +143,8 @@ class Discharge {
     now_.out.add(mass, mixture);
   }
 
-  /// The grains inside at a time (s); returns the rate of discharge since the last call and the share of each kind in
-  /// it.
+  /// The rate of discharge since the last call of add() and the share of each kind in the discharge. add() takes the
+  /// time (s) and the grains inside.
   struct Rate {
     double rate = 0;
     std::array<double, kinds> shares = {};
@@ -166,12 +167,13 @@ class Discharge {
   }
   double at_start() const { return now_.start.mass; }
   double out() const { return now_.out.mass; }
-  double drift() const { return now_.drift; }                    ///< largest error of the mass, of that at the start
-  double drift_of_kinds() const { return now_.drift_of_kinds; }  ///< the same of the kinds
-  /// The rate of discharge from when a tenth of the mass has left until two fifths have, kg/s.
+  double drift() const { return now_.drift; }                    ///< largest error of the total mass, relative
+  double drift_of_kinds() const { return now_.drift_of_kinds; }  ///< largest error of the mass of a kind, relative
+  /// Returns the mean rate of discharge (kg/s, in the plane kg/(m s)) from when a tenth of the mass has left until two
+  /// fifths have left.
   double steady_rate() const { return (now_.at_end.mass - now_.at_begin.mass) / (now_.ended - now_.begun); }
 
-  /// All numbers, for a checkpoint and from one.
+  /// Returns all numbers for a checkpoint; take() restores them.
   std::vector<double> numbers() const {
     auto const all = std::bit_cast<Numbers>(now_);
     return {all.begin(), all.end()};
@@ -194,7 +196,7 @@ class Discharge {
   State now_;
 };
 
-/// Runs a case, or one rank of it, and writes its table and frames.
+/// Runs a case, or one rank of a case, and writes its table and frames.
 template <class P, class Sizes>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;

@@ -12,7 +12,7 @@
 
 #include <string>
 
-// The options of grains that are released on a terrain. `terrain --options` prints the table.
+// The options of a granular flow that is released on terrain. `terrain --options` prints the table.
 namespace terrain {
 
 namespace app = scree::app;
@@ -45,7 +45,7 @@ struct Output {
   double history = 0.5;       // s
   double cell = 4;            // m
   double least = 0.1;         // m
-  double checkpoints = 1800;  // s of wall time
+  double checkpoints = 1800;  // s of wall-clock time
   std::string restart_from = {};
 };
 struct Options {

@@ -39,7 +39,7 @@
 #include <utility>
 #include <vector>
 
-// Grains that are released on the ground of a raster, flow and come to rest.
+// Granular material that is released on the terrain of a raster, flows and comes to rest.
 namespace terrain {
 
 using scree::Box;
@@ -66,7 +66,8 @@ inline scree::Granular<Models> physics_of(Options const& o) {
           .forces = {scree::WallGuard{.speed = law.sound_speed()}}};
 }
 
-/// A raster from an ESRI ASCII grid, or through GDAL where scree was configured with it.
+/// Reads a raster: with GDAL if scree was configured with it and the file does not end in .asc, otherwise as an ESRI
+/// ASCII grid.
 inline Raster read(std::filesystem::path const& file) {
 #ifdef SCREE_HAS_GDAL
   if (file.extension() != ".asc") return scree::read_gdal(file);
@@ -74,13 +75,13 @@ inline Raster read(std::filesystem::path const& file) {
   return scree::read_raster(file);
 }
 
-/// The ground and the material on it, in coordinates from the south-west corner of the raster.
+/// The ground and the material on the ground, in coordinates relative to the south-west corner of the raster.
 struct Site {
   X corner;  // of the raster, m
   scree::HeightField ground;
-  Raster depth;  // at the start, m
+  Raster depth;  // depth of the material at the start, m
   scree::Release release;
-  Box<3> room;  // of the simulation: the rectangle of the raster
+  Box<3> room;  // domain of the simulation, over the rectangle of the raster
 
   static Site read(Options const& o) {
     Raster const heights = terrain::read(o.ground.heights);
@@ -92,12 +93,12 @@ struct Site {
     room.low[2] -= 10 * o.numerics.spacing, room.high[2] += above;
     return {corner, ground, depth, scree::Release(ground, depth), room};
   }
-  /// The height of the surface of the grains at the start, m.
+  /// Returns the height (m) of the surface of the material at the start.
   double surface(X const& x) const {
     double const d = depth(x[0], x[1]);
     return ground.height(x[0], x[1]) + (d > 0 ? d : 0);
   }
-  /// A raster over the ground, without values.
+  /// Returns a raster that covers the ground, with NaN in every cell.
   Raster map(double cell) const {
     auto const points = [&](int axis) { return int((room.high[axis] - room.low[axis]) / cell) + 1; };
     Raster map{.name = "map", .columns = points(0), .rows = points(1), .x = 0, .y = 0, .spacing = cell};
@@ -109,10 +110,10 @@ struct Site {
   }
 
  private:
-  static bool less(double a, double b) { return std::isnan(a) || a < b; }  // gaps first
+  static bool less(double a, double b) { return std::isnan(a) || a < b; }  // NaN sorts first
 };
 
-/// The greatest depth so far, and the time (s) at which it first exceeded `least`, in each cell.
+/// The greatest depth so far in each cell, and the time (s) at which the depth first exceeded `least`.
 struct Footprint {
   Raster largest, arrival;
   double least;  // m
@@ -131,7 +132,7 @@ struct Footprint {
         std::count_if(largest.values.begin(), largest.values.end(), [&](double d) { return d > least; });
     return double(reached) * scree::sq(largest.spacing);
   }
-  /// All values, for a checkpoint and from one.
+  /// Returns all values for a checkpoint; take() restores them.
   std::vector<double> numbers() const {
     std::vector<double> all = largest.values;
     all.insert(all.end(), arrival.values.begin(), arrival.values.end());
@@ -145,15 +146,15 @@ struct Footprint {
   }
 };
 
-/// A field of the grains of all ranks.
+/// Returns a field of the particles on all ranks.
 template <class S, class F>
 auto values_of(S const& now, F field) {
   return now.whole().values(field);
 }
 
-/// The numbers of a row of history.csv.
+/// The numbers in a row of history.csv.
 struct Moment {
-  double volume = 0, speed = 0, fastest = 0;  // m^3, m/s in the mean, m/s
+  double volume = 0, speed = 0, fastest = 0;  // m^3; mean, m/s; largest, m/s
   X centre = X::Zero();
 
   template <class S>
@@ -171,8 +172,8 @@ struct Moment {
   }
 };
 
-/// How far (m, horizontally) the farthest grain is from the highest one at the start, and the angle (degrees) of the
-/// line down to it.
+/// Returns the horizontal distance (m) of the farthest particle from the highest particle at the start, and the angle
+/// (degrees) below the horizontal of the line between them.
 template <class Points>
 std::pair<double, double> reach(std::vector<X> const& start, Points const& points) {
   X const top = *std::max_element(start.begin(), start.end(), [](X const& a, X const& b) { return a[2] < b[2]; });
@@ -185,7 +186,7 @@ std::pair<double, double> reach(std::vector<X> const& start, Points const& point
   return {distance, angle * 180 / std::numbers::pi};
 }
 
-/// Runs a case, or one rank of it, and writes its maps, table and frames.
+/// Runs a case, or one rank of a case, and writes its maps, table and frames.
 template <class P>
 int simulate_rank(app::Run<Options> const& run, typename P::space const& space, app::Ranks<P> const& ranks) {
   using namespace scree::fields;
@@ -210,7 +211,7 @@ int simulate_rank(app::Run<Options> const& run, typename P::space const& space, 
     solver.drain({.name = side}, scree::Beyond<3>{edge, out});
   }
   solver.drain({.name = through_ground}, scree::Beyond<3>{site.room.low, {0, 0, -1}});
-  auto const gone = [&](bool through) {  // beyond the edges, or through the ground
+  auto const gone = [&](bool through) {  // volume lost through the ground, or beyond the edges
     double sum = 0;
     for (auto const& side : solver.left())
       if ((side.name == through_ground) == through) sum += side.volume;

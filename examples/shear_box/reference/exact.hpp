@@ -11,18 +11,20 @@
 #include <stdexcept>
 #include <vector>
 
-// Exact solutions in height: over time for the symmetric flux with constant V and D, and the steady state of any.
+// Exact solutions as functions of height: over time for the symmetric flux with constant V and D, and the steady state
+// for any flux and closure.
 namespace shear_box::reference {
 
-/// Exact solution of C_t = (V C (1 - C))_z + D C_zz, no flux at z = 0 and 1, C = 0 below 1/2 and 1 above at t = 0.
+/// The exact solution of C_t = (V C (1 - C))_z + D C_zz without flux at z = 0 and 1, with C = 0 below 1/2 and 1 above
+/// at t = 0.
 ///
 /// Cole-Hopf: C = 1/2 - (D/V) psi_z/psi gives psi_t = D psi_zz - D k^2 psi with k = V/(2D). The no-flux condition gives
 /// psi_zz = k^2 psi at the ends, so psi(z, 0) = exp(k min(z, 1 - z)) keeps its end values 1, and
 ///   psi = cosh k(z - 1/2)/cosh(k/2) + sum_{n odd} b_n exp(-D (n^2 pi^2 + k^2) t) sin(n pi z),
 ///   b_n = 4 k e^{k/2} sin(n pi/2) / (k^2 + n^2 pi^2).
-/// Everything is divided by e^{k/2} (the largest value of psi), which cancels in psi_z/psi: nothing overflows.
-/// The sum loses a factor e^{k/2} to cancellation near the ends: ten digits are left at Pe = 51, five at Pe = 100, the
-/// largest accepted.
+/// Numerator and denominator of psi_z/psi are divided by e^{k/2}, the largest value of psi, so that nothing overflows.
+/// Near the ends the sum loses a factor e^{k/2} to cancellation: ten digits are left at Pe = 51, and five at Pe = 100,
+/// the largest Pe accepted.
 class ExactSeries {
  public:
   explicit ExactSeries(Coefficients coefficients)
@@ -38,8 +40,9 @@ class ExactSeries {
     return 0.5 - 0.5 / k_ * (steady.slope + transient.slope) / (steady.value + transient.value);
   }
 
-  // Number of terms n = 1, 3, ... in the sum. The last one is smaller than the first by exp(-45) ~ 3e-20, below the
-  // rounding of the sum; the decay of b_n makes it smaller still. At most 100 000 of them, reached for D t < 1.2e-10.
+  // Returns the number of terms n = 1, 3, ... in the sum. The last term is smaller than the first by a factor exp(-45)
+  // ~ 3e-20, which is below the rounding error of the sum; the decay of b_n reduces the term further. The number is
+  // limited to about 100 000, reached for D t < 1.2e-10.
   int terms(double t) const {
     double const last_n = std::sqrt(45.0 / (D_ * std::max(t, 1e-300))) / std::numbers::pi;
     return 2 + static_cast<int>(std::min(0.5 * last_n, 1e5));
@@ -75,12 +78,13 @@ class ExactSeries {
   double k_;
 };
 
-/// Constant V and D, symmetric flux, mean 1/2.
+/// Returns the steady concentration at height z for constant V and D, the symmetric flux and a mean of 1/2.
 inline double symmetric_steady_state(double peclet, double z) { return 1.0 / (1.0 + std::exp(peclet * (z - 0.5))); }
 
 namespace detail {
 
-/// D dC/dz = -V F. With y = ln(C/(1 - C)):  dy/dz = -(V/D) A (1 - kappa C), smooth for any steepness of C.
+/// The steady state D dC/dz = -V F. With y = ln(C/(1 - C)) this is dy/dz = -(V/D) A (1 - kappa C), where y is smooth
+/// however steep C is.
 template <class Closure>
 class SteadyColumn {
  public:
@@ -99,7 +103,8 @@ class SteadyColumn {
     return result;
   }
 
-  // y falls from >= 0 to <= 0 if the mean is 1/2, so y at the bottom is at most its largest possible fall.
+  // Returns an upper bound of y at the bottom: the largest possible decrease of y. If the mean is 1/2, y decreases from
+  // >= 0 to <= 0.
   double largest_fall() const {
     double fall = 0.0;
     for (int i = 0; i <= 100; ++i)
@@ -124,8 +129,7 @@ class SteadyColumn {
 
 }  // namespace detail
 
-/// The profile with mean 1/2 that no longer changes, for any flux and closure (rate(t) scales both sides and drops
-/// out).
+/// Returns the steady profile with mean 1/2, for any flux and closure (rate(t) scales both sides and cancels).
 template <class Closure>
 Profile steady_state(Problem<Closure> const& problem, int cells = 2000) {
   detail::SteadyColumn<Closure> const column(problem, cells);

@@ -8,13 +8,13 @@
 #include <cstddef>
 #include <vector>
 
-// Solutions by their values in cells, of height alone and in two dimensions.
+// Solutions given by their values in cells: functions of height, and fields in two dimensions.
 namespace shear_box::reference {
 
-/// Cubic Lagrange interpolation between cell centres (i + 1/2) h, one-sided next to a wall: fourth order, so that it
-/// does not add to the error of a second-order solution. Needs at least four cells.
+/// Weights of cubic Lagrange interpolation between cell centres (i + 1/2) h, one-sided next to a wall. Interpolation is
+/// of fourth order, so its error is negligible in a second-order solution. At least four cells are needed.
 struct CubicStencil {
-  int first;  // of four cells
+  int first;  // index of the first of four cells
   std::array<double, 4> weight;
 
   CubicStencil(double position, double h, int cells) {
@@ -25,7 +25,7 @@ struct CubicStencil {
   }
 };
 
-/// A function of height z in 0..1, by its values in cells of size h.
+/// A function of height z from 0 to 1, given by its values in cells of size h.
 struct Profile {
   double h = 0.0;
   std::vector<double> values;
@@ -46,14 +46,14 @@ struct Profile {
     return sum / cells();
   }
 
-  // Height of the centre of the small grains.
+  // Returns the height of the centre of the small grains.
   double centre_of_small_grains() const {
     double moment = 0.0;
     for (int i = 0; i < cells(); ++i) moment += values[i] * centre(i);
     return moment / (mean() * cells());
   }
 
-  // Mean concentration of the lower half.
+  // Returns the mean concentration in the lower half.
   double mean_of_lower_half() const {
     double sum = 0.0;
     for (int i = 0; i < cells(); ++i) sum += values[i] * std::clamp((0.5 - i * h) / h, 0.0, 1.0);
@@ -61,8 +61,8 @@ struct Profile {
   }
 };
 
-/// C on the rectangle 0 <= X <= width, 0 <= Z <= 1 of material coordinates (X = x - z gamma(t), Z = z), by its values
-/// at the centres of square cells, row by row from the bottom.
+/// C on the rectangle 0 <= X <= width, 0 <= Z <= 1 in material coordinates (X = x - z gamma(t), Z = z), given by its
+/// values at the centres of square cells, row by row from the bottom.
 struct Field2d {
   double h = 0.0;
   int columns = 0;
@@ -77,7 +77,8 @@ struct Field2d {
   double& value(int column, int row) { return values[index(column, row)]; }
   double value(int column, int row) const { return values[index(column, row)]; }
 
-  // Concentration at a material point: bicubic. At sharp fronts it may leave [0, 1] by the interpolation error.
+  // Returns the concentration at a material point by bicubic interpolation. At sharp fronts the value may leave [0, 1]
+  // by the interpolation error.
   double operator()(double X, double Z) const {
     CubicStencil const across(X, h, columns), along(Z, h, rows);
     double C = 0.0;
@@ -86,7 +87,7 @@ struct Field2d {
     return C;
   }
 
-  // Mean over the width, a function of height.
+  // Returns the mean over the width as a function of height.
   Profile width_mean() const {
     Profile profile{.h = h, .values = std::vector<double>(rows, 0.0)};
     for (int j = 0; j < rows; ++j) {
@@ -96,7 +97,7 @@ struct Field2d {
     return profile;
   }
 
-  // Along the vertical through the middle of the box.
+  // Returns the profile along the line X = width/2, through the middle of the box.
   Profile centre_column() const {
     Profile profile{.h = h, .values = std::vector<double>(rows)};
     for (int j = 0; j < rows; ++j) profile.values[j] = (*this)(0.5 * width(), centre(j));

@@ -10,21 +10,21 @@
 #include <utility>
 #include <vector>
 
-// Finite volumes in height: the flux between two cells and the time integrator, also for two dimensions, and the
-// column.
+// A finite-volume solver in height. The flux between two cells and the time integrator also serve the two-dimensional
+// solver.
 namespace shear_box::reference {
 
-/// One end of an edge between two cells: its concentration and its V F.
+/// The concentration and V F at one end of an edge between two cells.
 struct EdgeEnd {
   double C;
   double percolation;
 };
 
-/// Flux between two cells of spacing h, at the mean shear rate, positive downwards (small grains percolate down):
+/// The flux between two cells of size h at the mean shear rate, positive downwards (small grains percolate down):
 ///   D (C_up - C_low)/h + ((V F)_up + (V F)_low)/2
-/// Central, and so second-order. A cell stays in [0, 1] if D >= h V A/2, because V F <= V A C and V F <= V A (1 - C): a
-/// smaller D (cell Peclet number above 2/A) is raised to this value, which no longer happens once the cells are small
-/// enough.
+/// The flux is central and therefore second-order. C stays in [0, 1] if D >= h V A/2, because V F <= V A C and V F <= V
+/// A (1 - C). A smaller D (a cell Peclet number above 2/A) is raised to this value; in sufficiently small cells this
+/// never happens.
 template <class Closure>
 struct EdgeFlux {
   Problem<Closure> problem;
@@ -51,15 +51,16 @@ struct EdgeFlux {
 };
 
 struct TimeStepping {
-  double euler_limit;  // longest forward Euler step that keeps C in [0, 1]
-  double longest;      // longest step that resolves changes in time
+  double euler_limit;  // largest forward Euler step that keeps C in [0, 1]
+  double longest;      // largest step that resolves changes in time
 
   double step(int stages) const { return std::min(longest, (stages - 1) * euler_limit); }
 };
 
-/// Optimal strong-stability-preserving Runge-Kutta method of second order with s stages (Gottlieb, Ketcheson & Shu
-/// 2009): s forward Euler steps of dt/(s - 1), then the average of the start (weight 1/s) and their result. A convex
-/// combination of Euler steps keeps C in [0, 1] whenever those do: s - 1 Euler limits in time at the cost of s stages.
+/// The optimal strong-stability-preserving Runge-Kutta method of second order with s stages (Gottlieb, Ketcheson & Shu
+/// 2009): s forward Euler steps of dt/(s - 1), then the weighted average of the initial state (weight 1/s) and the
+/// result of these steps. This convex combination of Euler steps keeps C in [0, 1] whenever the Euler steps do, so dt
+/// may be s - 1 Euler limits at the cost of s stages.
 ///
 /// Op: void op.euler(double const* C, double* result, double t, double dt)   result = C + dt dC/dt(C, t)
 template <class Op>
@@ -67,7 +68,7 @@ class SspRungeKutta {
  public:
   SspRungeKutta(Op& op, TimeStepping stepping, std::size_t cells)
       : op_(op), stages_(2), step_(stepping.step(2)), stage_(cells), next_(cells) {
-    for (int stages = 3; stages <= 10; ++stages)  // the fewest stages per unit of time
+    for (int stages = 3; stages <= 10; ++stages)  // chooses the fewest stages per unit of time
       if (stages * step_ < stages_ * stepping.step(stages)) {
         stages_ = stages;
         step_ = stepping.step(stages);
@@ -101,7 +102,8 @@ class SspRungeKutta {
 
 namespace detail {
 
-/// C_t = (V F + D C_z)_z in finite volumes, no flux at z = 0 and 1. Time is the closure's clock, see closure.hpp.
+/// A finite-volume discretisation of C_t = (V F + D C_z)_z without flux at z = 0 and 1. Time is the clock of the
+/// closure, see SegregationClosure.
 template <class Closure>
 class Column {
  public:
@@ -110,25 +112,25 @@ class Column {
 
   void euler(double const* C, double* result, double /*clock*/, double dt) {
     int const n = static_cast<int>(percolation_.size());
-    EdgeFlux<Closure> const edge = edge_;  // a copy: stores to arrays of double cannot alias it
+    EdgeFlux<Closure> const edge = edge_;  // a copy, which stores to arrays of double cannot alias
     for (int i = 0; i < n; ++i) percolation_[i] = edge.problem.percolation(C[i]);
     for (int i = 1; i < n; ++i) flux_[i] = edge.downwards({C[i], percolation_[i]}, {C[i - 1], percolation_[i - 1]});
     for (int i = 0; i < n; ++i) result[i] = C[i] + dt / edge.h * (flux_[i + 1] - flux_[i]);
   }
 
-  // The two edges of a cell take at most 2 D dt/h^2 of its content. The step is three quarters of that limit: at the
-  // limit itself the method may not damp the shortest wave at all, which the initial step contains.
+  // Returns three quarters of the step h^2/(2 D) at which the two edges of a cell would take all of its content. With
+  // h^2/(2 D) itself the method might not damp the shortest wave at all, and the initial jump contains this wave.
   double euler_limit() const { return 0.75 * edge_.h * edge_.h / (2.0 * edge_.largest_diffusivity()); }
 
  private:
   EdgeFlux<Closure> edge_;
   std::vector<double> percolation_;
-  std::vector<double> flux_;  // downwards through the cells' lower faces; first and last stay zero
+  std::vector<double> flux_;  // downwards through the lower faces of the cells; the first and last stay zero
 };
 
 }  // namespace detail
 
-/// Profiles at the given times (increasing, in periods).
+/// Returns the profiles at the given times (increasing, in periods).
 template <class Closure>
 std::vector<Profile> solve_1d(Problem<Closure> const& problem, std::vector<double> const& times, int cells = 2000) {
   require_increasing(times);

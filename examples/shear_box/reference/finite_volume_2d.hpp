@@ -9,19 +9,19 @@
 #include <stdexcept>
 #include <vector>
 
-// The oscillating box in two dimensions. In material coordinates X = x - z gamma(t), Z = z the box is a fixed rectangle
-// and its affine motion drops out. With C_x = C_X, C_z = C_Z - gamma C_X the fluxes j = (-D C_x, -V F - D C_z) become
-// J_X = j_x - gamma j_z, J_Z = j_z (Piola):
+// A solver for the oscillating box in two dimensions. In material coordinates X = x - z gamma(t), Z = z, the box is a
+// fixed rectangle and its affine motion vanishes. With C_x = C_X and C_z = C_Z - gamma C_X, the fluxes j = (-D C_x, -V
+// F - D C_z) become J_X = j_x - gamma j_z, J_Z = j_z (Piola):
 //   J_X = gamma V F - D (1 + gamma^2) C_X + gamma D C_Z
 //   J_Z = -V F - D (C_Z - gamma C_X),            no flux through the four sides.
 // Together J = -K (D grad C + V F e_Z) with K = [1 + gamma^2, -gamma; -gamma, 1], and for |gamma| < 1
 //   K = (1 + gamma^2 - |gamma|) e_X e_X + (1 - |gamma|) e_Z e_Z + |gamma| d d,   d = (sign gamma, -1):
-// a sum of fluxes along edges between cells (sideways, upright, one diagonal) with positive weights. Each edge that
-// descends carries the one-dimensional flux, so the scheme is conservative, keeps C in [0, 1] under the one-dimensional
-// condition on the cell Peclet number, and has the one-dimensional steady state.
+// a sum, with positive weights, of fluxes along edges between cells (horizontal, vertical and one diagonal). Each edge
+// that descends carries the one-dimensional flux. Hence the scheme is conservative, keeps C in [0, 1] under the
+// one-dimensional condition on the cell Peclet number, and has the one-dimensional steady state.
 //
-// Walls: diagonals end half a cell before a wall. The flux along the wall in that half layer follows from the no-flux
-// condition, not from a one-sided derivative (which would reduce the scheme to first order):
+// Diagonals end half a cell before a wall. The flux along the wall in this half layer follows from the no-flux
+// condition, not from a one-sided derivative, which would reduce the scheme to first order:
 //   bottom and top  J_Z = 0:  J_X = -D C_X;        sides  J_X = 0:  J_Z = -(D C_Z + V F)/(1 + gamma^2).
 namespace shear_box::reference {
 
@@ -47,9 +47,9 @@ class ShearedBox {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 
-  // Time is the closure's clock, see closure.hpp.
+  // Makes a forward Euler step. Time is the clock of the closure, see SegregationClosure.
   void euler(double const* C, double* result, double clock, double dt) {
-    Problem<Closure> const problem = edge_.problem;  // a copy: stores to arrays of double cannot alias it
+    Problem<Closure> const problem = edge_.problem;  // a copy, which stores to arrays of double cannot alias
     Weights const weights(problem.shear(problem.closure.time(clock)));
     for (std::size_t i = 0; i < percolation_.size(); ++i) percolation_[i] = problem.percolation(C[i]);
 
@@ -64,12 +64,13 @@ class ShearedBox {
     }
   }
 
-  // A cell gives at most 2 (2 + gamma^2 - |gamma|) D dt/h^2 <= 4 D dt/h^2 of its content to its neighbours.
-  // Short upright waves, which the initial step contains, are damped well: they involve only half of those edges.
+  // Returns the step h^2/(4 D). In a step dt a cell gives at most the fraction 2 (2 + gamma^2 - |gamma|) D dt/h^2 <= 4
+  // D dt/h^2 of its content to its neighbours. Short vertical waves, which the initial jump contains, are damped well,
+  // because they involve only half of these edges.
   double euler_limit() const { return edge_.h * edge_.h / (4.0 * edge_.largest_diffusivity()); }
 
  private:
-  // Weights of the fluxes along edges; "wall" in the rows (columns) of cells next to one.
+  // Weights of the fluxes along edges. wall_across and wall_down are for cells next to a wall.
   struct Weights {
     explicit Weights(double gamma)
         : diagonal(std::abs(gamma)),
@@ -94,7 +95,8 @@ class ShearedBox {
     for (int i = 1; i < columns_; ++i) across_[i] = weight * edge.sideways(c[i - 1], c[i]);
   }
 
-  // From the row above, into down_next_ by cell and into diagonal_next_ by the vertex to the left of the cell.
+  // Computes the fluxes from the row above: down_next_ for each cell, and diagonal_next_ for the vertex to the left of
+  // each cell.
   void flow_down(double const* C, int row, Weights weights) {
     if (row == rows_ - 1) {
       std::fill(down_next_.begin(), down_next_.end(), 0.0);
@@ -120,7 +122,7 @@ class ShearedBox {
 
   void update_row(double const* C, double* result, int row, Update update) const {
     std::size_t const start = static_cast<std::size_t>(row) * columns_;
-    int const out = update.leaning_right ? 1 : 0;  // vertex through which the cell's downward diagonal leaves
+    int const out = update.leaning_right ? 1 : 0;  // vertex through which the downward diagonal leaves the cell
     int const in = 1 - out;
     for (int i = 0; i < columns_; ++i) {
       double const upright = down_next_[i] - down_[i];
@@ -134,12 +136,12 @@ class ShearedBox {
   std::vector<double> percolation_;
   std::vector<double> across_;                    // rightwards through the left faces of a row
   std::vector<double> down_, down_next_;          // downwards through the lower and upper faces of a row
-  std::vector<double> diagonal_, diagonal_next_;  // through its lower and upper vertices; those on walls stay zero
+  std::vector<double> diagonal_, diagonal_next_;  // through the lower and upper vertices of a row; zero on walls
 };
 
 }  // namespace detail
 
-/// Fields at the given times (increasing, in periods), second-order in the spacing.
+/// Returns the fields at the given times (increasing, in periods), with an error of second order in the spacing.
 template <class Closure>
 std::vector<Field2d> solve_2d(Problem<Closure> const& problem, std::vector<double> const& times,
                               double spacing = 0.0025) {
@@ -156,7 +158,7 @@ std::vector<Field2d> solve_2d(Problem<Closure> const& problem, std::vector<doubl
   for (double time : times) {
     double const target = problem.closure.clock(time);
     while (now < target) {
-      // Steps end at quarter periods, where |gamma| (or, in the clock of (5.5), gamma) has kinks.
+      // Steps end at quarter periods, because |gamma| (or gamma as a function of the clock of (5.5)) has kinks there.
       double const next = std::min(target, 0.25 * (std::floor(4.0 * now + 1e-9) + 1.0));
       time_integrator.advance(field.values, now, next);
       now = next;
@@ -173,7 +175,8 @@ inline double mean_of_block(Field2d const& fine, int column, int row) {
                  fine.value(2 * column, 2 * row + 1) + fine.value(2 * column + 1, 2 * row + 1));
 }
 
-/// f(-1) - 2 f(0) + f(1); next to a wall extrapolated linearly from the two cells beyond.
+/// Returns f(i - 1) - 2 f(i) + f(i + 1); next to a wall, linearly extrapolated from this difference at the next two
+/// cells.
 template <class Values>
 double second_difference(Values const& f, int i, int cells) {
   auto const inner = [&](int k) { return f(k - 1) - 2.0 * f(k) + f(k + 1); };
@@ -182,7 +185,8 @@ double second_difference(Values const& f, int i, int cells) {
   return inner(i);
 }
 
-/// A cell's mean exceeds the value at its centre by h^2/24 laplace C.
+/// Returns the values at cell centres, given the means over cells. The mean over a cell exceeds the value at its centre
+/// by h^2/24 times the Laplacian of C.
 inline Field2d centre_values_from_means(Field2d const& means) {
   Field2d centres = means;
   for (int j = 0; j < means.rows; ++j)
@@ -197,9 +201,9 @@ inline Field2d centre_values_from_means(Field2d const& means) {
 
 }  // namespace detail
 
-/// Richardson extrapolation of two solutions of a second-order scheme, spacings h and 2h. Both are taken as cell means,
-/// so that four fine cells add up to one coarse cell without interpolation; the result, at the fine cells, is the value
-/// of C at their centres. It may leave [0, 1] by its own error.
+/// Returns the Richardson extrapolation of two solutions of a second-order scheme with spacings h and 2h. Both
+/// solutions are taken as cell means, so that the mean of four fine cells corresponds to one coarse cell without
+/// interpolation. The result is the value of C at the centres of the fine cells, and may leave [0, 1] by its own error.
 inline Field2d extrapolate(Field2d const& fine, Field2d const& coarse) {
   if (fine.columns != 2 * coarse.columns || fine.rows != 2 * coarse.rows)
     throw std::invalid_argument("shear box reference: extrapolation needs spacings h and 2h");
@@ -214,8 +218,8 @@ inline Field2d extrapolate(Field2d const& fine, Field2d const& coarse) {
   return detail::centre_values_from_means(means);
 }
 
-/// Fields at the given times (increasing, in periods), on cells of size `spacing`, extrapolated from solutions of
-/// `spacing` and twice `spacing`.
+/// Returns the fields at the given times (increasing, in periods) on cells of size `spacing`, extrapolated from
+/// solutions with `spacing` and twice `spacing`.
 template <class Closure>
 std::vector<Field2d> solve_2d_extrapolated(Problem<Closure> const& problem, std::vector<double> const& times,
                                            double spacing = 0.0025) {

@@ -8,8 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-// The equation that all reference solvers of this folder solve. All quantities are non-dimensional: lengths in bed
-// heights H, times in periods T of the box. z points up, gravity down; C is the volume fraction of small grains.
+// The equation that all reference solvers in this folder solve. All quantities are non-dimensional: lengths are in bed
+// heights H, times in periods T of the box. z points upwards, and gravity downwards; C is the volume fraction of small
+// grains.
 //
 //   dC/dt = div(V F(C) e_z + D grad C),   F = A C (1 - C)(1 - kappa C)       Zhu, Peng & Wu (2024), (2.5), (2.6)
 namespace shear_box::reference {
@@ -33,18 +34,21 @@ struct Coefficients {
   constexpr double peclet() const { return velocity / diffusivity; }
 };
 
-/// (5.2) makes V and D non-dimensional with a length B: [V] = V T/B = 0.03, [D] = D T/B^2 = 1.01e-3.
+/// Returns the coefficients from (5.2), which makes V and D non-dimensional with a length B: [V] = V T/B = 0.03 and [D]
+/// = D T/B^2 = 1.01e-3.
 constexpr Coefficients coefficients_of_length(double B) {
   return {.velocity = 3.0e-2 * B, .diffusivity = 1.01e-3 * B * B};
 }
 
-/// (a) B = H gamma0, as the paper defines it; (b) B = H, which gives the mixing times that the paper quotes.
+/// The coefficients with (a) B = H gamma0, as defined in the paper, and (b) B = H, which gives the mixing times quoted
+/// in the paper.
 inline constexpr Coefficients reading_a = coefficients_of_length(maximum_shear);
 inline constexpr Coefficients reading_b = coefficients_of_length(1.0);
 
-/// A closure gives V and D at the mean shear rate, a common factor rate(t) of both, clock(t), the integral of rate, and
-/// time(clock), its inverse. V and D depend only on C in this clock, so the solvers use it for their steps. Clock and
-/// time agree at every quarter period, where the solvers end their steps.
+/// Whether a class is a closure: it gives V and D at the mean shear rate, their common factor rate(t), the integral
+/// clock(t) of the rate, and its inverse time(clock). With the clock as time, V and D depend only on C, so the solvers
+/// use the clock for their steps. Clock and time agree at every quarter period, where the two-dimensional solver ends
+/// its steps.
 template <class T>
 concept SegregationClosure = requires(T const& closure, double x) {
   { closure.velocity(x) } -> std::convertible_to<double>;
@@ -64,13 +68,13 @@ struct ConstantClosure {
   constexpr double time(double clock) const { return clock; }
 };
 
-/// (5.5): V = V0 (gdot/gdot_m) d_avg/d_bar, D = D0 (gdot/gdot_m) (d_avg/d_bar)^2, d_avg = d_S C + d_L (1 - C).
-/// With gamma = gamma0 sin(2 pi t) the ratio gdot/gdot_m is (pi/2) |cos(2 pi t)|, for any gamma0.
+/// The closure (5.5): V = V0 (gdot/gdot_m) d_avg/d_bar, D = D0 (gdot/gdot_m) (d_avg/d_bar)^2, d_avg = d_S C + d_L (1 -
+/// C). With gamma = gamma0 sin(2 pi t) the ratio gdot/gdot_m is (pi/2) |cos(2 pi t)|, for any gamma0.
 struct ShearRateClosure {
   Coefficients mean = reading_a;
-  double small_diameter = 4.0;  // the three diameters in any common unit (here mm)
+  double small_diameter = 4.0;  // the unit of the three diameters is arbitrary (here mm)
   double large_diameter = 8.0;
-  double reference_diameter = 6.0;  // d_bar; the paper takes 4, 6 and 8
+  double reference_diameter = 6.0;  // d_bar; 4, 6 and 8 in the paper
 
   constexpr double diameter_ratio(double C) const {
     return (small_diameter * C + large_diameter * (1.0 - C)) / reference_diameter;
@@ -79,7 +83,7 @@ struct ShearRateClosure {
   constexpr double diffusivity(double C) const { return mean.diffusivity * diameter_ratio(C) * diameter_ratio(C); }
 
   double rate(double t) const { return 0.5 * std::numbers::pi * std::abs(std::cos(2.0 * std::numbers::pi * t)); }
-  // The shear accumulated by time t, in units of the shear of one period.
+  // Returns the shear accumulated by time t over the shear accumulated in one period.
   double clock(double t) const {
     double const quarter = std::floor(4.0 * t);
     double const angle = 0.5 * std::numbers::pi * (4.0 * t - quarter);
@@ -101,13 +105,14 @@ struct Problem {
   SegregationFlux flux = symmetric_flux;
   Closure closure{};
   double shear_amplitude = maximum_shear;  // gamma0; only the two-dimensional solver uses it
-  double width = 0.4;                      // of the box, also only there
+  double width = 0.4;                      // width of the box; only the two-dimensional solver uses it
 
   constexpr double percolation(double C) const { return closure.velocity(C) * flux(C); }  // V F at the mean shear rate
   double shear(double t) const { return shear_amplitude * std::sin(2.0 * std::numbers::pi * t); }
 };
 
-/// Mean initial concentration between two heights: large grains below 1/2, small grains above (5.1).
+/// Returns the mean initial concentration between two heights, with large grains below 1/2 and small grains above
+/// (5.1).
 constexpr double initial_mean(double bottom, double top) {
   double const small_part = top <= 0.5 ? 0.0 : top - (bottom > 0.5 ? bottom : 0.5);
   return small_part / (top - bottom);

@@ -22,17 +22,18 @@
 
 namespace scree {
 
-/// Agreement of the ranks of a case on what is true of all its particles, in place of WholeCase (core/whole_case.hpp).
-/// All ranks call its functions together.
+/// Agreement of the ranks of a case on quantities of all its particles, used instead of WholeCase
+/// (core/whole_case.hpp). All ranks call its functions together.
 template <class P>
 class Agreement {
  public:
-  /// Agreement of the ranks of a team.
+  /// Constructs the agreement of the ranks of a team.
   explicit Agreement(Team<typename P::space> const& team) : team_(team) {}
 
-  /// The ranks of the case.
+  /// Returns the team of the ranks of the case.
   Team<typename P::space> const& team() const { return team_; }
-  /// Whether this rank has all particles of the case: until the first lists, unless it begins with a share.
+  /// Whether this rank has all particles of the case. Unless ranks begin with shares, this is so until the first
+  /// neighbour lists are built.
   bool all_here() const { return held_ == Held::whole; }
   /// Throws std::logic_error unless this rank has all particles of the case.
   void require_all_here() const {
@@ -41,13 +42,13 @@ class Agreement {
           "scree: set rest positions before the first step or rates: on ranks, surfaces of rigid bodies and walls "
           "are found while each rank has the whole case");
   }
-  /// Whether there are other ranks.
+  /// Whether the case has more than one rank.
   bool is_shared() const { return team_.ranks() > 1; }
-  /// The largest value of a number on any rank; every rank gets it.
+  /// Returns, on every rank, the largest value of a number over all ranks.
   double largest(double here) const { return team_.largest(here); }
   /// Whether a condition holds on at least one rank.
   bool anywhere(bool here) const { return largest(here ? 1 : 0) > 0; }
-  /// Joins the frames of each body over all ranks.
+  /// Extends the frame of each body to contain the frames of the body on all ranks.
   void join(std::vector<Frame<P::dim>>& frames) const {
     auto const all = team_.gather(frames);
     std::size_t const bodies = frames.size();
@@ -55,8 +56,8 @@ class Agreement {
     for (std::size_t k = 0; k < all.size(); ++k) frames[k % bodies].add(all[k]);
   }
 
-  /// Returns the largest values on all ranks and the number of particles of all ranks. The particle of a value is known
-  /// to the one rank that has it.
+  /// Returns the largest values over all ranks and the total number of particles. Only the rank that holds a largest
+  /// value gets the index of its particle.
   template <std::size_t Count>
   std::pair<std::array<Largest, Count>, long> joined(std::array<Largest, Count> const& here, long particles) const {
     struct Found {
@@ -80,27 +81,28 @@ class Agreement {
     return {joined, count};
   }
 
-  /// The values of all ranks, those of rank 0 first.
+  /// Returns the values on all ranks, in the order of the ranks.
   template <class T>
   std::vector<T> of_all(std::vector<T> values) const {
     return all_here() ? values : detail::joined_values(team_, std::move(values));
   }
-  /// The sum of a number of particles over all ranks.
+  /// Returns the sum of a number of particles over all ranks.
   long sum(long here) const { return all_here() ? here : long(team_.sum(here)); }
-  /// Sums of integers over all ranks, element by element.
+  /// Returns the sums of integers over all ranks, element by element.
   std::vector<std::int64_t> sum(std::vector<std::int64_t> here) const { return all_here() ? here : team_.sum(here); }
-  /// Exact sums over all ranks, element by element, as numbers.
+  /// Returns the values of exact sums over all ranks, element by element.
   std::vector<double> sum(std::vector<ExactSum> const& here) const {
     return all_here() ? whole_case_here.sum(here) : team_.sum(here);
   }
-  /// The number of particles of all ranks.
+  /// Returns the number of particles of a body on all ranks.
   long count(AnyParticles<P> const& body) const { return detail::on_all_ranks(body) ? body.size() : sum(body.size()); }
-  /// Brings values of the particles of all ranks, or of some of them by number, into the order of their identities.
+  /// Returns an object that sorts values of the particles on all ranks by particle identity; `which` selects particles
+  /// by number.
   template <class Body, class... Numbers>
   detail::ByIdentity<typename P::space> order_of(Body const& body, Numbers const&... which) const {
     return {team_, body.to_host(fields::identity, which...), !all_here() && !detail::on_all_ranks(body)};
   }
-  /// Gives the arrays of particles in a snapshot of a system the values of all ranks, in the order of identities.
+  /// Replaces the particle arrays in the snapshot of a system by the values on all ranks, in the order of identities.
   template <class Sys>
   [[gnu::cold]] void collect(Snapshot& snapshot, Sys const& system) const {
     detail::for_each_body(typename Sys::bodies{}, [&]<class Body>() {
@@ -115,9 +117,10 @@ class Agreement {
       }
     });
   }
-  /// Whether this rank is the one that reports for the case.
+  /// Whether this rank reports for the case, which is rank 0.
   bool reports() const { return team_.rank() == 0; }
-  /// Whether particles that are added to the case are added here; they move to their rank with the next lists.
+  /// Whether particles that enter the case are added on this rank; they move to their own rank when neighbour lists are
+  /// next built.
   bool takes_new() const { return all_here() || reports(); }
 
  protected:

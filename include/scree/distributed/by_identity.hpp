@@ -14,13 +14,13 @@
 
 namespace scree::detail {
 
-/// The team of a case with one rank.
+/// Returns the team of a case with one rank.
 template <class Space>
 Team<Space> team_of_one() {
   return Team<Space>(SharedMemory::ends(1).front());
 }
 
-/// Values of all ranks, those of rank 0 first.
+/// Returns the values on all ranks, in the order of the ranks.
 template <class Space, class T>
 std::vector<T> joined_values(Team<Space> const& team, std::vector<T> values) {
   auto const sizes = team.gather(std::int64_t(values.size()));
@@ -35,11 +35,11 @@ std::vector<T> joined_values(Team<Space> const& team, std::vector<T> values) {
   return all;
 }
 
-/// Brings values of the particles of all ranks into the order of their identities, on all ranks.
+/// Sorts values of the particles on all ranks by particle identity; every rank gets all values.
 template <class Space>
 class ByIdentity {
  public:
-  /// The identities of the particles here. `divided`: the others have other particles.
+  /// Takes the identities of the particles on this rank. `divided`: the other ranks have other particles.
   ByIdentity(Team<Space> const& team, std::vector<int> identities, bool divided) : team_(team), divided_(divided) {
     auto const numbers = joined(std::move(identities));
     order_.resize(numbers.size());
@@ -47,7 +47,7 @@ class ByIdentity {
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
   }
-  /// `of_each` numbers for each particle.
+  /// Returns the sorted values of all particles, with `of_each` values for each particle.
   template <class T>
   std::vector<T> of(std::vector<T> here, std::size_t of_each = 1) const {
     auto const values = joined(std::move(here));
@@ -66,7 +66,7 @@ class ByIdentity {
 
   Team<Space> team_;
   bool divided_;
-  std::vector<std::size_t> order_;  // index among the joined values of the particle that is k-th
+  std::vector<std::size_t> order_;  // for each sorted particle, its index among the joined particles
 };
 
 }  // namespace scree::detail

@@ -11,10 +11,10 @@
 
 namespace scree::detail {
 
-/// Throws std::runtime_error if a call of CUDA has failed.
+/// Throws std::runtime_error if a CUDA call has failed.
 inline void check_cuda(cudaError_t result, char const* what) {
   if (result == cudaSuccess) return;
-  (void)cudaGetLastError();  // an error that is not fatal stays there until somebody takes it
+  (void)cudaGetLastError();  // clears the error, which CUDA would otherwise report again
   throw std::runtime_error(std::string("scree: ") + what + ": " + cudaGetErrorString(result));
 }
 

@@ -12,15 +12,15 @@
 
 namespace scree {
 
-/// Memory of NVIDIA GPUs that other processes of the same host can map, for PeerMemory: CUDA's interprocess
-/// communication. Between GPUs the bytes travel over NVLink or PCIe, without the host.
+/// Memory of NVIDIA GPUs that other processes on the same host can map by CUDA's interprocess communication, for
+/// PeerMemory. Bytes travel between GPUs over NVLink or PCIe, without passing through host memory.
 struct CudaBlocks {
   static constexpr char const* name = "processes that write into each other's memory";
   using Handle = cudaIpcMemHandle_t;
 
   class Block {
    public:
-    /// Allocates bytes. Throws std::runtime_error if the GPU has too few of them or cannot share them.
+    /// Allocates a block of bytes. Throws std::runtime_error if the GPU has too little memory or cannot share memory.
     explicit Block(std::size_t size) {
       detail::check_cuda(cudaMalloc(&bytes_, size), "no memory for messages between GPUs");
       detail::check_cuda(cudaIpcGetMemHandle(&handle_, bytes_), "memory of this GPU cannot be shared");
@@ -28,7 +28,7 @@ struct CudaBlocks {
     Block(Block const&) = delete;
     Block& operator=(Block const&) = delete;
     ~Block() { (void)cudaFree(bytes_); }
-    /// The first byte.
+    /// Returns the address of the first byte.
     std::byte* data() const { return static_cast<std::byte*>(bytes_); }
     /// Returns the handle with which another process maps the block.
     Handle handle() const { return handle_; }
@@ -40,7 +40,7 @@ struct CudaBlocks {
 
   class Mapped {
    public:
-    /// Maps the block of another process. Throws std::runtime_error if that fails.
+    /// Maps a block of another process. Throws std::runtime_error if the mapping fails.
     explicit Mapped(Handle const& handle) {
       detail::check_cuda(cudaIpcOpenMemHandle(&bytes_, handle, cudaIpcMemLazyEnablePeerAccess),
                          "memory of another GPU cannot be mapped");
@@ -48,14 +48,15 @@ struct CudaBlocks {
     Mapped(Mapped const&) = delete;
     Mapped& operator=(Mapped const&) = delete;
     ~Mapped() { (void)cudaIpcCloseMemHandle(bytes_); }
-    /// The first byte, as this process sees it.
+    /// Returns the address of the first byte in this process.
     std::byte* data() const { return static_cast<std::byte*>(bytes_); }
 
    private:
     void* bytes_ = nullptr;
   };
 
-  /// Copies bytes between memory of GPUs, in the order of the instance. Throws std::runtime_error if CUDA refuses.
+  /// Begins to copy bytes between GPUs on the stream of an execution space instance. Throws std::runtime_error if CUDA
+  /// reports an error.
   static void copy(Kokkos::Cuda const& space, std::byte* to, std::byte const* from, std::size_t bytes) {
     detail::check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, space.cuda_stream()),
                        "copy between GPUs");

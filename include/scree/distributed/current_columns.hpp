@@ -7,12 +7,12 @@
 
 namespace scree::detail {
 
-/// Tracks which columns of the ghosts of a body are up to date. Changes of positions are always announced, those of
-/// other fields only while a list of passes runs; a column that is copied outside of such a list counts as outdated
+/// Tracks which columns of the ghosts of a body are up to date. Changes of positions are always announced, but changes
+/// of other fields only while a list of passes runs; a column that is copied at any other time is treated as outdated
 /// afterwards.
 class CurrentColumns {
  public:
-  /// The ghosts are new and have nothing. `position`: the number of the column with the positions.
+  /// Marks all columns of new ghosts as outdated. `position` is the number of the position column.
   void renew(std::size_t position) {
     position_ = position;
     has_positions_ = false;
@@ -23,12 +23,13 @@ class CurrentColumns {
     if (column == position_) positions_changed();
     if (column < current_.size()) current_[column] = false;
   }
-  /// Marks all columns but the positions as outdated. From now on all changes are announced (true) or not (false).
+  /// Marks all columns except the positions as outdated. `all_announced`: whether all later changes are announced.
   void forget(bool all_announced) {
     current_.clear();
     all_announced_ = all_announced;
   }
-  /// Returns which of some columns are outdated at the ghosts, and marks them as up to date: the caller copies them.
+  /// Returns the outdated ones among some columns of the ghosts and marks them as up to date; the caller must copy
+  /// them.
   std::vector<std::size_t> due(std::vector<std::size_t> columns) {
     std::erase_if(columns, [&](std::size_t column) { return has(column); });
     for (std::size_t const column : columns) {

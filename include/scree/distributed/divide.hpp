@@ -22,34 +22,35 @@
 
 namespace scree {
 
-/// Settings of the division of a case into ranks.
+/// Settings of the division of a case among ranks.
 template <class Space>
 struct DividedCase {
-  std::optional<Team<Space>> team = {};  ///< without one the case has one rank
-  /// The axis of slabs; none: recursive coordinate bisection.
+  std::optional<Team<Space>> team = {};  ///< if not set, the case has one rank
+  /// The axis along which space is cut into slabs; if not set, recursive coordinate bisection is used.
   std::optional<int> slabs = {};
-  /// The case is divided again when the largest load of a rank over the mean is more than this, -, above 1.
+  /// The limit (-, above 1) of the largest load of a rank over the mean load. The case is divided again if this ratio
+  /// exceeds the limit and 1.05 times its value after the last division.
   double most_imbalance = 1.2;
-  /// The relative cost of a particle of each body, in the order of the `bodies` of the formulation; 1 for bodies that
-  /// are not listed.
+  /// The relative cost of a particle of each body, in the order of the `bodies` of the formulation; the cost is 1 for
+  /// bodies that are not listed.
   std::vector<int> costs = {4};
 };
 
-/// Counts of a rank since the start.
+/// Event counts of a rank since the start.
 struct RankCounts {
   std::int64_t divisions = 0;             ///< how often the case was divided
-  std::int64_t migrated = 0, ghosts = 0;  ///< particles received for good, and ghosts received at each build of lists
+  std::int64_t migrated = 0, ghosts = 0;  ///< received: particles that migrated, and ghosts at all list builds
 };
 
 namespace detail {
 
-/// Whether all ranks have all particles of a body, and advance them alike: the states of rigid bodies. It has no
-/// ghosts, and the division does not depend on it.
+/// Whether all ranks have all particles of a body and advance them identically, as for the states of rigid bodies. Such
+/// a body has no ghosts and does not affect the division.
 template <class P>
 bool on_all_ranks(AnyParticles<P> const& body) {
   return body.has(RigidCentre{});
 }
-/// The number of particles of a body that this rank adds to a sum over all ranks.
+/// Returns the number of particles of a body that this rank contributes to a sum over all ranks.
 template <class P>
 std::int64_t counted_on(int rank, AnyParticles<P> const& body) {
   return on_all_ranks(body) && rank > 0 ? 0 : body.size();
@@ -69,7 +70,7 @@ struct CountInGrid {
   SCREE_FN void operator()(int i) const { Kokkos::atomic_inc(&counts(cell(value_of(x(i))))); }
 };
 
-/// Data that the ghosts of all bodies of a rank share.
+/// Data shared by the ghosts of all bodies on a rank.
 template <class P>
 class SharedByBodies {
   static constexpr int dim = P::dim;
@@ -88,12 +89,12 @@ class SharedByBodies {
 
   Partition<dim> const& partition() const { return partition_; }
   Span<typename Partition<dim>::Plane const> planes() const { return planes_; }
-  /// The box around the particles of a rank.
+  /// Returns the bounding box of the particles on a rank.
   Box const& box(int rank) const { return boxes_[std::size_t(rank)]; }
 
-  /// Makes a partition while all ranks have all particles, the first time, and afterwards if the loads are too unequal.
+  /// Divides the case while every rank has all particles, on the first call, and later if the loads are too unequal.
   void divide_if_due(double edge, bool scattered, AllBodiesRead<P> bodies);
-  /// Finds the box around the particles of each rank.
+  /// Finds the bounding box of the particles on each rank.
   void find_boxes(AllBodiesRead<P> bodies) { boxes_ = team.gather(box_around(bodies)); }
 
  private:
@@ -114,7 +115,7 @@ class SharedByBodies {
   Partition<dim> partition_;
   Array<P, typename Partition<dim>::Plane> planes_;
   std::vector<Box> boxes_;
-  bool fresh_ = false;  // the case was divided since the loads were last compared
+  bool fresh_ = false;  // whether the case was divided since the last comparison of the loads
   double reached_ = 1;  // the imbalance after the last division
 };
 
@@ -125,7 +126,7 @@ void SharedByBodies<P>::divide_if_due(double edge, bool scattered, AllBodiesRead
   for (std::size_t k = 0; k < bodies.size(); ++k)
     mine += std::int64_t(cost(k)) * (on_all_ranks(bodies[k]) ? 0 : bodies[k].size());
   double const now = imbalance(team.gather(mine));
-  if (fresh_) reached_ = now;  // a division may miss the wanted balance
+  if (fresh_) reached_ = now;  // a division may not reach the required balance
   fresh_ = false;
   if (now > std::max(settings_.most_imbalance, 1.05 * reached_)) divide(edge, true, bodies);
 }

@@ -17,7 +17,7 @@
 namespace scree {
 namespace detail {
 
-/// The beginnings of messages in bytes, from those in records of some number of words.
+/// Returns the offsets of messages in bytes, given their offsets in records of `words` words.
 inline std::vector<std::int64_t> in_bytes(std::vector<std::int64_t> starts, int words) {
   for (auto& start : starts) start *= std::int64_t(words) * std::int64_t(sizeof(Word));
   return starts;
@@ -25,34 +25,34 @@ inline std::vector<std::int64_t> in_bytes(std::vector<std::int64_t> starts, int 
 
 }  // namespace detail
 
-/// The fields of one body that are sent: columns, by number, of the particles of a plan.
+/// The fields of one body to send: numbers of columns, and a plan that lists the particles.
 template <class P>
 struct Shipment {
-  /// Columns of a body, by number, of the particles of a plan, which must outlive the shipment.
+  /// Selects columns of a body by number. The plan must outlive the shipment.
   Shipment(Plan<P> const& of, AnyParticles<P> const& body, std::vector<std::size_t> numbers)
       : plan(&of), particles(&body.columns()), x(body.column(fields::position)), columns(std::move(numbers)) {
     for (std::size_t const column : columns) words += particles->untyped(column).of_each;
   }
-  /// All of some columns.
+  /// Selects all columns in a list of column numbers.
   Shipment(Plan<P> const& of, AnyParticles<P> const& body, ColumnNumbers numbers)
       : Shipment(of, body, std::vector<std::size_t>(numbers.begin(), numbers.end())) {}
   Plan<P> const* plan;
   detail::UntypedParticles<typename P::space> const* particles;
   Column<P, Position> x;
   std::vector<std::size_t> columns;
-  int words = 0;  ///< of a record
+  int words = 0;  ///< words of a record
 };
 
-/// Sends fields of the particles of plans. Each rank gets one contiguous message with those of up to six bodies; one
-/// kernel packs up to 16 fields of a body. Buffers are kept.
+/// Sends fields of the particles listed in plans. Each rank receives one contiguous message with the fields of up to
+/// six bodies; one kernel launch packs up to 16 fields of a body. The buffers are reused.
 template <class P>
 class Exchange {
  public:
   using TeamOf = Team<typename P::space>;
   using Shipments = std::vector<Shipment<P>>;
-  static constexpr std::size_t most = detail::RecordPlaces::most;  ///< bodies
+  static constexpr std::size_t most = detail::RecordPlaces::most;  ///< the largest number of bodies in an exchange
 
-  /// Packs and sends.
+  /// Packs the fields of all shipments and sends them.
   void send(TeamOf const& team, Shipments const& all) {
     ProfilingRegion const region("scree::exchange");
     auto const& space = all.front().particles->space();
@@ -66,7 +66,7 @@ class Exchange {
     });
     team.exchange(space, sent, received);
   }
-  /// Writes the received values into the last particles of each body, its ghosts if it has any.
+  /// Writes the received values to the last particles of each body, which are the ghosts of the body if there are any.
   void receive(Shipments const& all) const {
     for_each_chunk(all, &Plan<P>::received_there, [&](auto const& each, auto const& some, auto const& at) {
       int const count = each.plan->receiving(), sharing = detail::threads_of_record<typename P::space>(count);
@@ -92,7 +92,7 @@ class Exchange {
     if (memory.size() < size) memory = {}, memory = Bytes("scree::messages", size + size / 8);
     return {memory.data(), std::move(starts)};
   }
-  /// Calls visit(shipment, columns, places of records) for up to 16 columns of a body at a time.
+  /// Calls visit(shipment, columns, record places) for at most 16 columns of a body at a time.
   template <class Visit>
   static void for_each_chunk(Shipments const& all, StartsThere starts_of, Visit const& visit) {
     if (all.size() > most) throw std::logic_error("scree: an exchange sends at most six bodies");

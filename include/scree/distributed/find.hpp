@@ -10,10 +10,10 @@
 #include <cstddef>
 #include <vector>
 
-// Loops that find the particles of a rank and those that it needs, for running_sum().
+// Functors for running_sum() that find the particles of a rank and the particles that the rank needs.
 namespace scree::detail {
 
-/// Numbers the particles that belong to a rank, for a Plan.
+/// Lists the particles that belong to a rank, for a Plan.
 template <class P>
 struct FindOwnedBy {
   Column<P, Position> x;
@@ -21,7 +21,7 @@ struct FindOwnedBy {
   int rank;
   int first;
   Span<int> numbers;
-  int from = 0;  // particle with which the loop begins
+  int from = 0;  // the first particle of the loop
 
   SCREE_FN void operator()(int k, int& count, bool last) const {
     int const j = from + k;
@@ -31,7 +31,7 @@ struct FindOwnedBy {
   }
 };
 
-/// Gives numbers to all particles that do not belong to a rank, except those in a range.
+/// Lists the particles that stay on a rank: all except the particles in [from, to) that belong to other ranks.
 template <class P>
 struct FindStaying {
   Column<P, Position> x;
@@ -46,7 +46,7 @@ struct FindStaying {
   }
 };
 
-/// Lists the particles and images of them within a box.
+/// Lists the particles, and periodic images of particles, that lie within a box.
 template <class P>
 struct FindInBox {
   static constexpr int most_shifts = P::dim == 2 ? 9 : 27;
@@ -74,13 +74,13 @@ struct FindInBox {
   }
 };
 
-/// Finds the particles that another rank needs of this one, and images of them at the ends of periods: those within the
-/// reach of lists of the box around its particles.
+/// Finds the particles of this rank, and their periodic images, that another rank needs. These lie within the reach of
+/// the neighbour lists of the bounding box of the other rank's particles.
 template <class P>
 class Needed {
  public:
   using vector = Vec<P::dim, typename P::real>;
-  /// `reach` in m.
+  /// Takes the periods of the domain and the reach (m).
   Needed(std::vector<Period> const& periods, double reach) : reach_(reach), shifts_{zero<vector>()} {
     for (Period const& period : periods)
       for (std::size_t k = 0, count = shifts_.size(); k < count; ++k)
@@ -91,7 +91,8 @@ class Needed {
         }
   }
   double reach() const { return reach_; }
-  /// The loop that finds it, from the boxes around the particles of that rank and of this one.
+  /// Returns the functor that finds the needed particles, given the bounding boxes of the particles on the other rank
+  /// (`there`) and on this rank (`here`). `itself`: whether the two ranks are the same.
   template <class Box>
   FindInBox<P> loop(Box const& there, Box const& here, bool itself) const {
     using real = typename P::real;
@@ -102,7 +103,7 @@ class Needed {
       find.high[axis] = real(high[axis] + reach_);
     }
     for (auto const& shift : shifts_) {
-      if (itself && &shift == shifts_.data()) continue;  // a particle is no ghost of itself
+      if (itself && &shift == shifts_.data()) continue;  // a particle is not its own ghost
       bool near = true;
       for (int axis = 0; axis < P::dim; ++axis)
         near = near && here.high[axis] + double(shift[axis]) >= low[axis] - 2 * reach_ &&
@@ -114,7 +115,7 @@ class Needed {
 
  private:
   double reach_;
-  std::vector<vector> shifts_;  // the first is zero
+  std::vector<vector> shifts_;  // the first one is zero
 };
 
 }  // namespace scree::detail

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-// The state of a case, on each of its ranks. All ranks call these functions together.
+// Functions that give every rank the state of the whole case. All ranks call them together.
 namespace scree {
 namespace detail {
 
@@ -26,7 +26,8 @@ std::uint64_t add_to_hash(std::uint64_t hash, std::vector<T> const& values) {
   return hash;
 }
 
-/// Brings values of a body into the order of identities. The solver may be one of a case without ranks.
+/// Returns an object that sorts values of a body by particle identity. The case of the solver need not be divided among
+/// ranks.
 template <class Body, class S>
 auto order_by_identity(S const& solver) {
   auto const& body = solver.template body<Body>();
@@ -38,7 +39,8 @@ auto order_by_identity(S const& solver) {
 
 }  // namespace detail
 
-/// A field of all particles of a body, by identity. The solver may be one of a case without ranks.
+/// Returns a field of all particles of a body, sorted by identity. The case of the solver need not be divided among
+/// ranks.
 template <BodyTag Body, class S, Field F>
 auto gathered(S const& solver, F field) {
   return detail::order_by_identity<Body>(solver).of(solver.template body<Body>().to_host(field));
@@ -64,8 +66,8 @@ std::uint64_t add_fields_to_hash(std::uint64_t hash, S const& solver, List field
 }
 }  // namespace detail
 
-/// A number that differs, in all likelihood, if one bit of a field of a particle of any body or of the time differs. It
-/// depends neither on the ranks nor on the order of the particles in memory.
+/// Returns a hash of the time and of all fields of the particles of all bodies, which very probably differs if a single
+/// bit of them differs. The hash depends neither on the ranks nor on the order of the particles in memory.
 template <class S>
 std::uint64_t state_hash(S const& solver) {
   std::uint64_t hash = detail::add_to_hash(0xcbf29ce484222325, std::vector<double>{solver.time()});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
+#if __has_include(<mpi.h>)  // programs that use this header need the headers and the library of MPI
 
 #include "messages_arrive.hpp"
 #include "mpi.hpp"
@@ -14,10 +14,10 @@
 #include <cstddef>
 #include <vector>
 
-// Whether MPI can read and write memory of GPUs.
+// Tests of whether MPI can read and write GPU memory.
 namespace scree::detail {
 
-/// Whether the MPI library says that it reads and writes memory of NVIDIA GPUs.
+/// Whether the MPI library reports that it can read and write memory of NVIDIA GPUs.
 inline bool says_gpu_aware() {
   int says = 0;
 #if defined(MPIX_GPU_SUPPORT_CUDA)
@@ -28,7 +28,7 @@ inline bool says_gpu_aware() {
   return says == 1;
 }
 
-/// Whether the answer of all ranks is yes.
+/// Whether `yes` is true on all ranks.
 inline bool all_say(Mpi& mpi, bool yes) {
   char const mine = yes ? 1 : 0;
   std::vector<char> all(std::size_t(mpi.ranks()));
@@ -37,8 +37,8 @@ inline bool all_say(Mpi& mpi, bool yes) {
   return yes;
 }
 
-/// Whether short and long messages between GPUs arrive without a way through memory of the host. A library that cannot
-/// do this may end the program. All ranks call it together.
+/// Whether short and long messages between GPUs arrive without staging through host memory. An MPI library that does
+/// not support this may abort the program. All ranks call this function together.
 template <class Space>
 bool is_gpu_aware(MPI_Comm communicator, Space const& space) {
   Mpi direct(communicator, DeviceMessages::direct);

@@ -26,10 +26,11 @@
 namespace scree {
 namespace detail {
 
-/// An open file.
+/// An open file, closed by the destructor.
 class OpenFile {
  public:
-  /// Throws std::runtime_error(message) if `number` says that it could not be opened.
+  /// Takes ownership of a file descriptor. Throws std::runtime_error(message) if `number` is negative, because the file
+  /// could not be opened.
   OpenFile(int number, char const* message) : number_(number) {
     if (number < 0) throw std::runtime_error(message);
   }
@@ -37,7 +38,7 @@ class OpenFile {
   OpenFile& operator=(OpenFile const&) = delete;
   ~OpenFile() { close(number_); }
   int number() const { return number_; }
-  /// Numbers that no other file of the system has.
+  /// Returns two numbers (device and inode) that together identify the file on this system.
   std::array<std::uint64_t, 2> identity() const {
     struct stat about = {};
     if (fstat(number_, &about) != 0) throw std::runtime_error("scree: shared memory without an identity");
@@ -48,8 +49,8 @@ class OpenFile {
   int number_;
 };
 
-/// A file in the memory of this process, page-locked where Kokkos uses CUDA. Throws std::runtime_error if the system
-/// refuses it.
+/// A file mapped into the memory of this process, page-locked if Kokkos uses CUDA. Construction throws
+/// std::runtime_error if the system refuses the mapping.
 class SharedPages {
  public:
   SharedPages(OpenFile const& file, std::size_t size)
@@ -82,11 +83,12 @@ class SharedPages {
 
 }  // namespace detail
 
-/// Memory of a Linux host that its processes share, for PeerMemory. GPUs copy to and from it at the speed of their bus.
+/// Memory shared by processes on a Linux host, for PeerMemory. GPUs copy to and from this memory at the speed of their
+/// bus.
 struct HostBlocks {
   static constexpr char const* name = "processes that share memory of the host";
-  /// The anonymous file behind a block, as other processes of the same user find it. In another container the path may
-  /// be that of another file.
+  /// The anonymous file of a block, as other processes of the same user open it. In another container the path may name
+  /// another file.
   struct Handle {
     char path[64];
     std::size_t size;
@@ -95,7 +97,8 @@ struct HostBlocks {
 
   class Block {
    public:
-    /// Allocates bytes that other processes can map. Throws std::runtime_error if the system has too few of them.
+    /// Allocates a block of bytes that other processes can map. Throws std::runtime_error if the system has too little
+    /// memory.
     explicit Block(std::size_t size)
         : size_(size),
           file_(memfd_create("scree", MFD_CLOEXEC), "scree: no memory that processes share"),
@@ -122,14 +125,14 @@ struct HostBlocks {
 
   class Mapped {
    public:
-    /// Maps the block of another process. Throws std::runtime_error if it cannot be opened or is in another
+    /// Maps a block of another process. Throws std::runtime_error if the block cannot be opened or is in another
     /// container.
     explicit Mapped(Handle const& handle)
         : pages_(found(detail::OpenFile(open(handle.path, O_RDWR | O_CLOEXEC),
                                         "scree: memory of another process cannot be opened"),
                        handle),
                  handle.size) {}
-    /// The first byte, as this process sees it.
+    /// Returns the address of the first byte in this process.
     std::byte* data() const { return pages_.data(); }
 
    private:
@@ -148,7 +151,7 @@ struct HostBlocks {
   template <class Space>
   static constexpr bool serves = on_host<Space>;
 #endif
-  /// Copies bytes between memory of the host and that of the instance, in the order of the instance.
+  /// Copies bytes between host memory and the memory of an execution space, in order with the work of the instance.
   template <class Space>
   static void copy([[maybe_unused]] Space const& space, std::byte* to, std::byte const* from, std::size_t bytes) {
     static_assert(serves<Space>, "memory of the host is shared between CPUs, or with NVIDIA GPUs");

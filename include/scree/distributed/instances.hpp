@@ -5,7 +5,7 @@
 #include "../system/instances.hpp"
 #include "other_ranks.hpp"
 
-// The instances for cases on several ranks that the library scree::compiled has, as those of system/instances.hpp.
+// The template instances for cases on several ranks in the library scree::compiled; see also system/instances.hpp.
 #ifdef SCREE_COMPILED
 #define SCREE_INSTANCES(P)                                                                                             \
   SCREE_INSTANCE class scree::CellList<P, scree::ByPosition>;                                                          \

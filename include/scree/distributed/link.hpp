@@ -13,7 +13,8 @@
 namespace scree {
 namespace detail {
 
-/// The median time of a few exchanges in which each rank sends a message to the next, s.
+/// Returns the median time (s) of seven exchanges in which each rank sends a message to the next one, on the slowest
+/// rank.
 template <class Space>
 double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t bytes) {
   using Bytes = Memory<typename Space::memory_space>;
@@ -28,7 +29,7 @@ double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t by
                  received = message_with(to_receive, (team.rank() + ranks - 1) % ranks);
   std::array<double, 7> times = {};
   for (double& time : times) {
-    team.gather(0);  // all begin together
+    team.gather(0);  // a barrier: all ranks begin together
     Kokkos::Timer const timer;
     team.exchange(space, sent, received);
     space.fence("scree::link");
@@ -40,8 +41,8 @@ double time_of_ring(Team<Space> const& team, Space const& space, std::int64_t by
 
 }  // namespace detail
 
-/// Returns latency and speed of the messages between the ranks, measured with messages of 8 bytes and 16 MiB, in at
-/// most a tenth of a second where these travel at 2 GB/s. All ranks call it together.
+/// Returns the latency and bandwidth of messages between the ranks, measured with messages of 8 bytes and 16 MiB. The
+/// measurement takes at most a tenth of a second if messages travel at 2 GB/s. All ranks call this function together.
 template <class Space>
 Link measured_link(Team<Space> const& team, Space const& space) {
   constexpr std::int64_t large = 1 << 24;

@@ -7,18 +7,18 @@
 
 #include <Kokkos_Core.hpp>
 
-// Order between the kernels of several processes, for PeerMemory.
+// Synchronisation of kernels in several processes, for PeerMemory.
 namespace scree::detail {
 
-/// A mark between the kernels of an instance, which those of another process can wait for. This one needs no help of
-/// the device: the host waits where it is set.
-///   Mark()          of this process
-///   handle()        bytes that another process needs to find it
-///   set(space)      sets it behind all kernels and copies of the instance, instead of where it was
+/// A mark in the queue of an execution space instance, for which kernels of another process can wait. A FencedMark
+/// needs no support from the device: the host waits in set(). All marks have these members:
+///   Mark()          creates a mark of this process
+///   handle()        returns the bytes that another process needs to find the mark
+///   set(space)      moves the mark to the end of the queue of the instance, after all its kernels and copies
 ///   Found(handle)   the mark of another process
-///   pass(space)     later kernels of the instance wait for the place where the mark was set last; no wait if it never
-///                   was
-///   words(space)    for a person, after the name of a transport
+///   pass(space)     makes later kernels of the instance wait for the work before the mark; no wait if the mark was
+///                   never set
+///   words(space)    returns text for people, to append to the name of a transport
 struct FencedMark {
   struct Handle {};
   Handle handle() const { return {}; }
@@ -38,7 +38,7 @@ struct FencedMark {
 };
 
 #ifdef KOKKOS_ENABLE_CUDA
-/// On NVIDIA GPUs of one host: an event of CUDA's interprocess communication.
+/// A mark for NVIDIA GPUs on one host: an event of CUDA's interprocess communication.
 class EventMark {
  public:
   using Handle = cudaIpcEventHandle_t;

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-// Trials of a transport at the start of a program.
+// Tests of a transport at the start of a program.
 namespace scree::detail {
 
-/// Whether messages of `size` bytes from each rank to each arrive whole on this one.
+/// Whether messages of `size` bytes arrive on this rank unchanged from every rank, when each rank sends to all ranks.
 template <class T, class Space>
 bool messages_arrive(T& transport, Space const& space, std::size_t size) {
   using InMemory = typename Space::memory_space;
@@ -37,12 +37,12 @@ bool messages_arrive(T& transport, Space const& space, std::size_t size) {
   return arrived;
 }
 
-/// Whether messages of 64 bytes and of 1 MiB arrive whole on this rank, see messages_arrive(). All ranks call it
-/// together.
+/// Whether messages of 64 bytes and of 1 MiB arrive on this rank unchanged, see messages_arrive(). All ranks call this
+/// function together.
 template <class T, class Space>
 bool short_and_long_arrive(T& transport, Space const& space) {
   bool arrive = messages_arrive(transport, space, 64);
-  // The other ranks may not have seen this failure: this rank takes part in both.
+  // The first test may have failed on this rank alone, so every rank takes part in both tests.
   arrive = messages_arrive(transport, space, std::size_t(1) << 20) && arrive;
   return arrive;
 }

@@ -12,23 +12,22 @@
 
 namespace scree::detail {
 
-/// Sends particles of one body to the ranks that their positions belong to, and keeps the others.
+/// Sends particles of one body to the ranks that own their positions, and keeps the others.
 template <class P>
 class Migration {
   using Shared = SharedByBodies<P>;
 
  public:
-  /// Keeps the particles of this rank, where all ranks have all of them. Returns their numbers, in memory of this
-  /// object.
+  /// Removes the particles that belong to other ranks, when every rank has all particles. Returns the numbers of the
+  /// particles kept, in memory of this object.
   Array<P, int const> keep_own(Shared const& shared, AnyParticles<P>& body) {
     auto const own = staying(shared, body, 0, body.size());
     body.keep(own);
     return own;
   }
-  /// Sends the particles that belong to other ranks, and receives those that belong here.
+  /// Sends the particles that belong to other ranks, and receives the particles that belong to this rank.
   void run(Shared& shared, AnyParticles<P>& body) { send(shared, body, 0, body.size()); }
-  /// Sends particles to the ranks that they belong to, as run() does, where most of the particles leave: in rounds, so
-  /// that messages need little memory.
+  /// Sends particles as run() does, but in eight rounds, so that messages need little memory when most particles leave.
   void run_for_share(Shared& shared, AnyParticles<P>& body) {
     int const rounds = 8, all = body.size();
     int seen = 0, sent = 0;
@@ -42,7 +41,7 @@ class Migration {
   }
 
  private:
-  /// Sends those among some particles that belong to other ranks. Returns how many.
+  /// Sends those particles in [from, from + count) that belong to other ranks. Returns the number sent.
   int send(Shared& shared, AnyParticles<P>& body, int from, int count) {
     auto const& team = shared.team;
     leaving_.make(body.space(), team, count, [&](int rank, int first, Span<int> const& numbers, auto const&) {
@@ -60,7 +59,8 @@ class Migration {
     shared.counts.migrated += leaving_.receiving();
     return leaving_.sending();
   }
-  /// All particles but those among some that belong to other ranks, in the order in memory.
+  /// Returns the numbers, in memory order, of the particles that stay: all except those in [from, from + count) that
+  /// belong to other ranks.
   Array<P, int const> staying(Shared const& shared, AnyParticles<P> const& body, int from, int count) {
     reserve(body.space(), kept_, "scree::kept", std::size_t(body.size()));
     FindStaying<P> const find{

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
+#if __has_include(<mpi.h>)  // programs that use this header need the headers and the library of MPI
 
 #include "../core/writes_files.hpp"
 #include "../fields/memory.hpp"
 #include "team.hpp"
 
-// MPI's own classes for C++ are not used.
+// MPI's C++ classes are not used.
 #ifndef OMPI_SKIP_MPICXX
 #define OMPI_SKIP_MPICXX
 #endif
@@ -29,15 +29,15 @@
 
 namespace scree {
 
-/// How MPI gets messages that are in device memory: `staged` through pinned host memory, or `direct`, which needs a
-/// GPU-aware MPI.
+/// The way in which MPI gets messages from device memory: `staged` through pinned host memory, or `direct`, which needs
+/// a GPU-aware MPI.
 enum class DeviceMessages { staged, direct };
 
-/// A Transport between processes by MPI 3. Each rank of a communicator is a rank of the case. The communicator belongs
-/// to the caller.
+/// A Transport between processes that uses MPI 3. Each rank of a communicator is a rank of the case. The caller owns
+/// the communicator.
 class Mpi {
  public:
-  /// Throws std::logic_error unless MPI has been initialised.
+  /// Uses the ranks of a communicator. Throws std::logic_error unless MPI has been initialised.
   explicit Mpi(MPI_Comm communicator = MPI_COMM_WORLD, DeviceMessages of_device = DeviceMessages::staged)
       : communicator_(communicator), of_device_(of_device) {
     int initialised = 0;
@@ -49,7 +49,7 @@ class Mpi {
 
   int rank() const { return rank_; }
   int ranks() const { return ranks_; }
-  /// "processes of Open MPI v4.1.4".
+  /// Returns a description for output, for example "processes of Open MPI v4.1.4".
   template <class Space>
   std::string name(Space const&) const {
     char version[MPI_MAX_LIBRARY_VERSION_STRING] = "";
@@ -62,14 +62,14 @@ class Mpi {
                            : ", messages through memory of the host");
   }
 
-  /// The communicator of the ranks of the case.
+  /// Returns the communicator of the ranks of the case.
   MPI_Comm communicator() const { return communicator_; }
-  /// Bytes for or from another rank.
+  /// Bytes to send to another rank, or room for bytes from it.
   struct Words {
     void* bytes = nullptr;  ///< the first byte
     std::size_t size = 0;   ///< the number of bytes
   };
-  /// Sends words(rank) to each other rank and receives into room_for(rank), where these are not empty.
+  /// Sends words(rank) to each other rank and receives its bytes into room_for(rank); empty messages are skipped.
   template <class WordsFor, class RoomFor>
   void trade(WordsFor const& words, RoomFor const& room_for) {
     requests_.clear();
@@ -108,7 +108,7 @@ class Mpi {
                                                           std::size_t(received.starts.back()));
     }
   }
-  /// Ends all processes.
+  /// Prints a message to stderr and ends all processes.
   void fail(std::string const& message) {
     std::fprintf(stderr, "scree: rank %d failed: %s\n", rank_, message.c_str());
     std::fflush(stderr);
@@ -117,7 +117,7 @@ class Mpi {
 
  private:
   using Pinned = Memory<Kokkos::SharedHostPinnedSpace>;
-  static constexpr std::size_t most = std::size_t(1) << 30;  // bytes in one call; MPI 3 counts them in an int
+  static constexpr std::size_t most = std::size_t(1) << 30;  // bytes in one call; MPI 3 uses an int for them
 
   static void check(int result) {
     if (result != MPI_SUCCESS) throw std::runtime_error("scree: MPI failed with error " + std::to_string(result));
@@ -139,7 +139,7 @@ class Mpi {
     };
     trade(words_of(sent), words_of(received));
   }
-  /// Calls visit(rank, bytes, count) for the words of all other ranks, in pieces that fit an MPI call.
+  /// Calls visit(rank, bytes, count) for the bytes of all other ranks, in chunks that fit in one MPI call.
   template <class WordsOf, class Visit>
   void for_each_chunk(WordsOf const& words_of, Visit const& visit) const {
     for (int q = 0; q < ranks_; ++q) {
@@ -159,8 +159,8 @@ class Mpi {
   Pinned to_send_, received_;
 };
 
-/// MPI for the length of a program, whose first rank alone writes files (core/writes_files.hpp). Make it in main()
-/// before Kokkos.
+/// MPI for the lifetime of a program in which only rank 0 writes files (core/writes_files.hpp). Construct this object
+/// in main() before initialising Kokkos.
 class MpiProgram {
  public:
   /// Calls MPI_Init with the arguments of main().
@@ -168,12 +168,13 @@ class MpiProgram {
   MpiProgram(MpiProgram const&) = delete;
   MpiProgram& operator=(MpiProgram const&) = delete;
   ~MpiProgram() { MPI_Finalize(); }
-  /// Ends the other ranks, too, if this one ends with the exit code of a failure, below 128; returns it otherwise.
+  /// Aborts all ranks if there are several and the exit code reports a failure, 1 to 127; otherwise returns the exit
+  /// code.
   int end(int exit_code) const {
     if (exit_code > 0 && exit_code < 128 && ranks() > 1) MPI_Abort(MPI_COMM_WORLD, exit_code);
     return exit_code;
   }
-  /// The number of ranks; 1 unless MPI has been initialised.
+  /// Returns the number of ranks, or 1 if MPI has not been initialised.
   static int ranks() {
     int initialised = 0;
     MPI_Initialized(&initialised);

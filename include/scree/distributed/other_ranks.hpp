@@ -26,10 +26,11 @@
 
 namespace scree {
 
-/// Ghost particles of one body that are copies of particles of other ranks of the case, and periodic images of those
-/// and of its own. A GhostProvider: with it each rank has a solver of its own, made from the particles of the whole
-/// case or from a share of them; it keeps its own. Particles move to the rank that their position belongs to whenever
-/// lists are built between steps. All ranks do the same steps, and call everything that reads neighbours together.
+/// A GhostProvider for cases on several ranks. The ghosts of a body are copies of particles on other ranks, and
+/// periodic images of these copies and of the rank's own particles. Each rank has its own solver, made from the
+/// particles of the whole case or from a share of them, and keeps the particles that belong to the rank. Particles
+/// migrate to the rank that owns their position whenever neighbour lists are built between steps. All ranks do the same
+/// steps, and call every function that reads neighbours together.
 template <class P>
 class OtherRanks : public Agreement<P> {
   using Shared = detail::SharedByBodies<P>;
@@ -42,47 +43,48 @@ class OtherRanks : public Agreement<P> {
   /// The type of the member `ranks` of SolverSettings.
   using Ranks = DividedCase<typename P::space>;
   struct Settings {
-    /// Settings of a case on these ranks, with the directions in which its domain is periodic.
+    /// Takes the settings of a divided case and the directions in which its domain is periodic.
     Settings(Ranks const& ranks, std::vector<Period> periods_)
         : shared(std::make_shared<Shared>(ranks)), periods(std::move(periods_)) {}
-    std::shared_ptr<Shared> shared;  ///< common to the ranks of a case
+    std::shared_ptr<Shared> shared;  ///< common to all bodies on a rank
     std::vector<Period> periods;     ///< directions in which the domain is periodic
   };
 
-  /// Ghosts for sums within `support` (m), which suffice until particles have moved by the margin (m).
+  /// Provides ghosts for sums within `support` (m), which suffice until particles have moved by the margin (m).
   OtherRanks(Settings const& settings, double support, double margin)
       : Agreement<P>(settings.shared->team),
         settings_(settings),
         images_(settings.periods, support, margin),
-        // Lists are built of pairs within support and half the margin.
+        // Neighbour lists contain pairs within the support plus half the margin.
         needed_(settings.periods, (support + margin / 2) * (1 + 1e-5)) {}
 
-  /// The agreement of all ranks.
+  /// Returns the agreement of all ranks.
   OtherRanks const& whole_case() const { return *this; }
   bool any() const { return true; }
-  /// The images at the ends of periods, without other ranks.
+  /// Returns the periodic images of this rank's own particles only.
   PeriodicImages<P> images() const { return images_; }
-  /// Images at the ends of periods within a radius (m), without other ranks.
+  /// Returns the periodic images within a radius (m) of this rank's own particles only.
   PeriodicImages<P> images_within(double radius) const { return PeriodicImages<P>(settings_.periods, radius); }
   Settings const& settings() const { return settings_; }
   std::string signature() const { return images_.signature(); }
 
-  /// Ghosts suffice wherever the owned particles of a rank are, so these may wait for lists that end between steps.
-  /// Periodic images may not.
+  /// Whether particles must settle before the next step after lists were built within a step. Ghosts surround the
+  /// particles of a rank even outside its region, so migration may wait for 64 such builds; in a periodic domain it may
+  /// not wait.
   bool must_settle(int& unsettled) const { return ++unsettled > 64 || !settings_.periods.empty(); }
-  /// Divides the case if that is due, before settle() of the bodies.
+  /// Divides the case if a division is due. The function is called before settle() of the bodies.
   static void before_settle(std::vector<OtherRanks>& all, detail::AllBodiesRead<P> bodies) {
     all[0].shared().divide_if_due(all[0].needed_.reach(), !all[0].all_here(), bodies);
   }
-  /// Wraps particles that left a period, and sends those that left this rank to the ranks that they belong to.
+  /// Wraps particles that left a period, and sends particles that left this rank to the ranks that they belong to.
   void settle(AnyParticles<P>& body);
-  /// Tells all ranks where the particles of each are, before create() of the bodies.
+  /// Tells all ranks where the particles of each rank are. The function is called before create() of the bodies.
   static void before_create(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies);
   /// Replaces all ghosts according to the positions of the owned particles of all ranks.
   void create(AnyParticles<P>& body);
-  /// Unless all particles are here, visit(copies) for copies of the particles of a body on other ranks that are within
-  /// a distance (m) of the box around the particles of `bodies` here, and of periodic images if those are wanted. All
-  /// ranks call it together.
+  /// Calls visit(copies) unless this rank has all particles. `copies` has the particles of `body` on other ranks, and
+  /// periodic images if `images` is true, that lie within a distance (m) of the bounding box of this rank's particles
+  /// of `bodies`. All ranks call this function together.
   template <class... Fs, class Visit>
   void with_copies_near(AnyParticles<P> const& body, detail::AllBodiesRead<P> bodies, double distance, bool images,
                         Fields<Fs...> list, Visit const& visit) const {
@@ -91,29 +93,31 @@ class OtherRanks : public Agreement<P> {
     copy_near(body, body.numbers_of(list), bodies, distance, images, copies, copies.numbers_of(list));
     visit(copies);
   }
-  /// Copies columns of the origins to the ghosts, except those that are up to date there.
+  /// Copies the outdated ones of some columns to the ghosts from the particles that they copy.
   void refresh(AnyParticles<P>& body, ColumnNumbers columns);
-  /// refresh() for all bodies, each with some columns, with one message to each rank.
+  /// Copies the outdated ones of some columns of each body to the ghosts, with one message to each rank for up to six
+  /// bodies.
   static void refresh_all(std::vector<OtherRanks>& all, detail::AllBodies<P> bodies, ColumnNumbers const* columns);
-  /// Throws std::logic_error if ghosts have other values of these columns than their origins: somebody changed them and
-  /// did not say so. For tests.
+  /// Throws std::logic_error if the ghosts differ in these columns from the particles that they copy, because a change
+  /// was not announced. Used in tests.
   void check_ghosts(AnyParticles<P> const& body, ColumnNumbers columns) const;
-  /// Marks the positions of the ghosts as outdated. Call it after positions of the body have changed.
+  /// Marks the positions of the ghosts as outdated. Call this function after positions of the body have changed.
   void positions_changed() { current_.positions_changed(); }
-  /// Marks columns of the ghosts as outdated. Call it after fields of the body have changed, while all changes are
-  /// announced.
+  /// Marks columns of the ghosts as outdated. Call this function after each change of fields of the body while all
+  /// changes are announced.
   void columns_changed(ColumnNumbers columns) {
     for (std::size_t const column : columns) current_.changed(column);
   }
-  /// Begins (true) or ends (false) a time in which all changes of fields are announced.
+  /// Begins (true) or ends (false) a period during which all changes of fields are announced.
   void announces_changes(bool all) { current_.forget(all); }
 
   /// Declares that all ranks have the particles of the whole case again, as at the start.
   static void begin_again(std::vector<OtherRanks>& all) {
     for (auto& each : all) each.held_ = Held::whole;
   }
-  /// Begins with the particles that a solver is given on each rank, of the whole case or in shares, which go to their
-  /// ranks with the first lists. Throws std::invalid_argument if the shares are not those of one case.
+  /// Notes whether the ranks begin with the particles of the whole case or with shares of them, whose particles migrate
+  /// to their ranks when neighbour lists are first built. Throws std::invalid_argument if the shares do not form one
+  /// case.
   template <class Start>
   static void begin(std::vector<OtherRanks>& all, Start const& start) {
     if (!all[0].anywhere(detail::begins_from_shares(start))) return;
@@ -122,24 +126,24 @@ class OtherRanks : public Agreement<P> {
   }
   /// Whether this rank has a share whose particles may belong to other ranks.
   bool has_share() const { return held_ == Held::share; }
-  /// Divides a case whose particles all ranks have, and makes the ghosts. Particles stay where they are, also outside
-  /// of a period. Returns the numbers of those that each body keeps here.
+  /// Divides a case while every rank has all particles, and creates the ghosts. Positions do not change, not even
+  /// outside a period. Returns, for each body, the numbers of the particles that this rank keeps.
   static std::optional<std::vector<std::vector<int>>> scatter(std::vector<OtherRanks>& all,
                                                               detail::AllBodies<P> bodies);
 
-  /// How often the case was divided, and how many particles this rank received.
+  /// Returns how often the case was divided, and how many particles and ghosts this rank received.
   RankCounts const& counts() const { return settings_.shared->counts; }
-  /// The division of space among the ranks.
+  /// Returns the division of space among the ranks.
   Partition<P::dim> const& partition() const { return settings_.shared->partition(); }
 
  private:
   Shared& shared() const { return *settings_.shared; }
-  /// Lists the particles that the ranks need of this one.
+  /// Lists in `plan` the particles of this rank that each rank needs.
   void plan_for(Plan<P>& plan, detail::Needed<P> const& needed, AnyParticles<P> const& body) const;
   void copy_near(AnyParticles<P> const& body, ColumnNumbers columns, detail::AllBodiesRead<P> bodies, double distance,
                  bool images, AnyParticles<P>& copies, ColumnNumbers columns_of_copies) const;
   std::vector<int> keep_own(AnyParticles<P>& body);
-  /// Adds those of the columns that the ghosts of a body do not have.
+  /// Adds a shipment of those columns that are outdated in the ghosts of a body.
   void add_due(Shipments& due, AnyParticles<P> const& body, ColumnNumbers columns);
   void deliver(Shipments const& all) const;
 
@@ -296,7 +300,7 @@ void OtherRanks<P>::check_ghosts(AnyParticles<P> const& body, ColumnNumbers colu
     throw std::logic_error("scree: ghosts are used with values that their origins do not have any more");
 }
 
-/// A formulation whose case may have several ranks, with the same bits on any number of them.
+/// A formulation whose case may be divided among ranks, with bitwise identical results for any number of ranks.
 template <class F>
 struct OnRanks : F {
   template <class P>

@@ -17,16 +17,17 @@
 
 namespace scree {
 
-/// The work in each cell of a uniform grid. Weights are integers, so that sums do not depend on their order.
+/// The computational work in each cell of a uniform grid. Weights are integers, so that sums do not depend on the order
+/// of summation.
 template <int Dim>
 struct CellWeights {
   Vec<Dim, double> origin = zero<Vec<Dim, double>>();  ///< the low corner, m
-  double edge = 1;                                     ///< the edge of a cell, m
+  double edge = 1;                                     ///< the edge length of a cell, m
   std::array<int, Dim> cells = {};                     ///< the number of cells along each axis
-  std::vector<std::int64_t> weights;                   ///< of the cells; the first coordinate is fastest
+  std::vector<std::int64_t> weights;                   ///< weights of the cells; the first index runs fastest
 
-  /// A grid over a box (m) with cells of at least `edge` (m), at most `most` of them. All weights are zero. Throws
-  /// std::invalid_argument for an edge that is not above 0.
+  /// Returns a grid over a box (m) with cell edges of at least `edge` (m) and at most `most` cells. All weights are
+  /// zero. Throws std::invalid_argument unless the edge is finite and above 0.
   static CellWeights over(Vec<Dim, double> const& low, Vec<Dim, double> const& high, double edge,
                           double most = 1 << 16) {
     check_setting(edge > 0 && std::isfinite(edge), "the edge of a cell (m)", edge, "above 0");
@@ -47,13 +48,13 @@ struct CellWeights {
   }
 };
 
-/// The cell of a position in kernels; positions outside of the grid belong to its outer cells.
+/// A functor for kernels that returns the cell of a position; positions outside the grid belong to its outer cells.
 template <int Dim>
 struct CellOfPosition {
   double origin[Dim], edge;
   int cells[Dim];
 
-  /// Cells of a grid.
+  /// Uses the cells of a grid.
   explicit CellOfPosition(CellWeights<Dim> const& grid) : edge(grid.edge) {
     for (int axis = 0; axis < Dim; ++axis) {
       origin[axis] = grid.origin[axis];
@@ -66,46 +67,48 @@ struct CellOfPosition {
     for (int axis = Dim - 1; axis >= 0; --axis) {
       double const place = Kokkos::floor((double(x[axis]) - origin[axis]) / edge);
       double const most = double(cells[axis] - 1);
-      int const at = place >= 0 ? static_cast<int>(place < most ? place : most) : 0;  // not finite: 0
+      int const at = place >= 0 ? static_cast<int>(place < most ? place : most) : 0;  // 0 if not a number
       cell = cell * cells[axis] + at;
     }
     return cell;
   }
 };
 
-/// Divides space among ranks: a tree of planes. Where one cuts cells of the grid, their work counts as spread evenly.
-/// The outer ranks reach to infinity. A partition depends on the weights alone.
+/// A division of space among ranks by a tree of planes. Work is taken to be spread evenly within a cell of the grid.
+/// The outer ranks reach to infinity. A partition depends only on the grid, its weights, the number of ranks and the
+/// axis of slabs.
 template <int Dim>
 class Partition {
  public:
-  /// A plane: positions below `cut` belong to `below`, the others to `above`; a child is a plane, or -1 - rank.
+  /// A node of the tree: positions below `cut` belong to the child `below`, the others to the child `above`. A child is
+  /// the index of a plane, or -1 - rank.
   struct Plane {
     int axis = 0;
     double cut = 0;  ///< m
     int below = -1, above = -1;
   };
 
-  /// All of space is rank 0.
+  /// Assigns all of space to rank 0.
   Partition() = default;
-  /// Recursive coordinate bisection: cuts boxes across their longest axis, so that the weights on both sides are as the
-  /// numbers of ranks there.
+  /// Returns a partition by recursive coordinate bisection, which cuts boxes across their longest axis. The weights on
+  /// both sides have the same ratio as the numbers of ranks there.
   static Partition bisection(CellWeights<Dim> const& grid, int ranks) { return {grid, ranks, -1}; }
-  /// A partition into slabs along an axis. Throws std::invalid_argument for an axis that the space does not have.
+  /// Returns a partition into slabs along an axis. Throws std::invalid_argument if the space does not have this axis.
   static Partition slabs(CellWeights<Dim> const& grid, int ranks, int axis) {
     check_setting(axis >= 0 && axis < Dim, "the axis of slabs", axis, "an axis of the space");
     return {grid, ranks, axis};
   }
 
-  /// The number of ranks that space is divided among.
+  /// Returns the number of ranks among which space is divided.
   int ranks() const { return ranks_; }
-  /// The planes of the tree; the first one divides all of space.
+  /// Returns the planes of the tree; the first one divides all of space.
   std::vector<Plane> const& planes() const { return planes_; }
   /// The rank that a position belongs to.
   template <class X>
   int owner(X const& x) const {
     return owner_of(Span<Plane const>(planes_.data(), static_cast<int>(planes_.size())), x);
   }
-  /// The rank that a position belongs to, for kernels.
+  /// Returns the rank that a position belongs to; for use in kernels.
   template <class X>
   SCREE_FN static int owner_of(Span<Plane const> const& planes, X const& x) {
     if (planes.size() == 0) return 0;
@@ -119,12 +122,12 @@ class Partition {
 
  private:
   struct Range {
-    std::array<double, Dim> low, high;  // in edges of cells
+    std::array<double, Dim> low, high;  // in units of the cell edge
 
-    /// The first cell along an axis, and the one after the last.
+    /// Returns the first cell along an axis; end() returns the one after the last.
     int first(std::size_t axis) const { return static_cast<int>(std::floor(low[axis])); }
     int end(std::size_t axis) const { return std::max(first(axis), static_cast<int>(std::ceil(high[axis]))); }
-    /// The part of a cell within the range along an axis.
+    /// Returns the fraction of a cell, along an axis, that is within the range.
     double part_of(int cell, std::size_t axis) const {
       return std::max(0.0, std::min(high[axis], cell + 1.0) - std::max(low[axis], double(cell)));
     }
@@ -136,7 +139,8 @@ class Partition {
     std::copy(grid.cells.begin(), grid.cells.end(), all.high.begin());
     divide(grid, all, 0, ranks, axis);
   }
-  /// Returns the child of a plane for the ranks [first, first + count).
+  /// Divides a range among the ranks [first, first + count). Returns the index of the new plane, or -1 - rank for one
+  /// rank.
   int divide(CellWeights<Dim> const& grid, Range const& range, int first, int count, int along) {
     if (count == 1) return -1 - first;
     int const axis = along >= 0 ? along : longest(range), half = count / 2;
@@ -156,7 +160,7 @@ class Partition {
       if (range.high[axis] - range.low[axis] > range.high[best] - range.low[best]) best = axis;
     return static_cast<int>(best);
   }
-  /// The coordinate of the plane that has a given fraction of the weight of a range below it.
+  /// Returns the coordinate of the plane below which a given fraction of the weight of a range lies.
   static double place_of_cut(CellWeights<Dim> const& grid, Range const& range, std::size_t axis, double fraction) {
     auto const layers = weights_along(grid, range, axis);
     double missing = fraction * std::accumulate(layers.begin(), layers.end(), 0.0);
@@ -169,7 +173,7 @@ class Partition {
     }
     return cut;
   }
-  /// The weights of the layers of cells across an axis.
+  /// Returns the weights of the layers of cells normal to an axis.
   static std::vector<double> weights_along(CellWeights<Dim> const& grid, Range const& range, std::size_t axis) {
     std::vector<double> layers(std::size_t(range.end(axis) - range.first(axis)), 0);
     std::array<int, Dim> at = {};
@@ -195,7 +199,7 @@ class Partition {
   std::vector<Plane> planes_;
 };
 
-/// The largest of the loads over their mean; 1 if all are zero.
+/// Returns the largest load over the mean load, or 1 if all loads are zero.
 inline double imbalance(std::vector<std::int64_t> const& loads) {
   std::int64_t const total = std::accumulate(loads.begin(), loads.end(), std::int64_t(0));
   if (total == 0) return 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
+#if __has_include(<mpi.h>)  // programs that use this header need the headers and the library of MPI
 
 #include "marks.hpp"
 #include "mpi.hpp"
@@ -18,21 +18,21 @@
 
 namespace scree {
 
-/// A Transport between the ranks of one host: each writes its messages into memory of the ranks that get them, and MPI
-/// carries only words about it. With EventMark the host waits for no kernels: copies are behind them in the queue of
-/// the instance, and the queues of the ranks wait for each other. `Mark` is one of marks.hpp. `Blocks` gives memory
-/// that other processes can map (CudaBlocks, HostBlocks):
-///   name                           the kind of memory in words, for output
+/// A Transport between ranks on one host: each rank writes its messages directly to memory of the receiving ranks, and
+/// MPI carries only small control messages. With EventMark the host does not wait for kernels: copies follow the
+/// kernels in the queue of the instance, and the queues of the ranks wait for each other. `Mark` is a type from
+/// marks.hpp. `Blocks` provides memory that other processes can map (CudaBlocks, HostBlocks):
+///   name                           a description of the kind of memory, for output
 ///   Handle                         bytes that another process needs to map a block
 ///   Block(size), data(), handle()  a block of this process
-///   Mapped(handle), data()         a block of another one
-///   copy(space, to, from, bytes)   begins a copy in order with the kernels of the instance
+///   Mapped(handle), data()         a block of another process
+///   copy(space, to, from, bytes)   begins a copy, in order with the kernels of the instance
 template <class Blocks, class Mark = detail::FencedMark>
 class PeerMemory {
   using Handle = typename Blocks::Handle;
 
  public:
-  /// All ranks construct this object together.
+  /// Exchanges the marks of the ranks. All ranks construct this object together.
   explicit PeerMemory(Mpi mpi) : mpi_(std::move(mpi)), shared_(std::make_shared<Shared>(mpi_)) {}
 
   int rank() const { return mpi_.rank(); }
@@ -54,19 +54,19 @@ class PeerMemory {
   void fail(std::string const& message) { mpi_.fail(message); }
 
  private:
-  /// The destination of one message.
+  /// The memory of the receiver for one message.
   struct Offer {
     Handle handle;
     std::int64_t generation, start, size;
   };
-  /// Another rank: its block, and its marks.
+  /// The block and the marks of another rank.
   struct Peer {
     std::int64_t generation = -1;
     std::unique_ptr<typename Blocks::Mapped> block;
     std::unique_ptr<typename Mark::Found> wrote, took;
   };
-  /// Memory and marks of this rank and those of others. A block that has become too small lives on, because others may
-  /// still have it mapped.
+  /// The memory and marks of this rank, and those of the other ranks. A block that has become too small is kept,
+  /// because other ranks may still have it mapped.
   struct Shared {
     explicit Shared(Mpi& mpi)
         : communicator(mpi.communicator()), peers(std::size_t(mpi.ranks())), wrote(std::size_t(mpi.ranks())) {
@@ -85,8 +85,8 @@ class PeerMemory {
     }
     Shared(Shared const&) = delete;
     Shared& operator=(Shared const&) = delete;
-    /// Nobody gives memory back while others have it mapped or copies are under way. After an exception the others do
-    /// not come here: memory and marks are left to the end of the process.
+    /// Frees memory only after all copies have ended and all ranks have unmapped it. After an exception, or after
+    /// MPI_Finalize, the other ranks may not get here, so memory and marks are kept until the process ends.
     ~Shared() {
       int finalised = 0;
       MPI_Finalized(&finalised);
@@ -111,12 +111,12 @@ class PeerMemory {
     std::size_t size = 0;
     std::int64_t generation = 0;
     std::vector<Peer> peers;
-    std::vector<std::unique_ptr<Mark>> wrote;               ///< behind the last message for each rank
-    std::unique_ptr<Mark> took = std::make_unique<Mark>();  // behind the copies of all messages that came
+    std::vector<std::unique_ptr<Mark>> wrote;               ///< set after the last message to each rank
+    std::unique_ptr<Mark> took = std::make_unique<Mark>();  // set after the copies of all received messages
   };
 
-  /// Sends the addresses of the buffers to the ranks that send messages, and receives those of the ranks that get
-  /// messages.
+  /// Sends the addresses of the receive buffers to the ranks that send messages to this rank, and receives the
+  /// addresses from the ranks that this rank sends messages to.
   std::vector<Offer> offer(Messages const& sent, Messages const& received) {
     grow(std::size_t(received.starts.back()));
     auto const count = static_cast<std::size_t>(ranks());
@@ -138,7 +138,8 @@ class PeerMemory {
                                std::to_string(theirs[std::size_t(q)].size));
     return theirs;
   }
-  /// Tells the ranks that get messages that the mark is set, and waits until the marks of the others are set.
+  /// Tells the receivers of messages from this rank that the marks are set, and waits until the senders to this rank
+  /// have set theirs.
   void confirm(Messages const& sent, Messages const& received) {
     auto const count = static_cast<std::size_t>(ranks());
     std::vector<char> out(count, 1), in(count, 0);
@@ -150,7 +151,7 @@ class PeerMemory {
           return received.size_for(q) == 0 ? Words{} : Words{&in[std::size_t(q)], 1};
         });
   }
-  /// Begins to write messages into the buffers of the other ranks, once these have taken the previous ones.
+  /// Begins to write messages to the buffers of the other ranks, after those ranks have taken the previous messages.
   template <class Space>
   void write(Space const& space, Messages const& sent, Messages const& received, std::vector<Offer> const& offers) {
     for (int q = 0; q < ranks(); ++q) {
@@ -167,7 +168,7 @@ class PeerMemory {
       shared_->wrote[std::size_t(q)]->set(space);
     }
   }
-  /// Begins to copy the messages for this rank, once they have arrived.
+  /// Begins to copy the messages for this rank out of the shared block, after they have arrived.
   template <class Space>
   void take(Space const& space, Messages const& received) {
     bool any = false;
@@ -183,13 +184,13 @@ class PeerMemory {
   void grow(std::size_t size) {
     if (size <= shared_->size) return;
     if (shared_->block) shared_->old.push_back(std::move(shared_->block));
-    shared_->size = size + size / 2;  // growth by a half keeps all blocks together below 4.5 times the size
+    shared_->size = size + size / 2;  // growth by a half keeps the sum of all blocks below 4.5 times the size
     shared_->block = std::make_unique<typename Blocks::Block>(shared_->size);
     ++shared_->generation;
   }
   static std::byte* mapped(Peer& peer, Offer const& offer) {
     if (peer.generation != offer.generation) {
-      Kokkos::fence("scree::peers");  // copies to the old block have ended
+      Kokkos::fence("scree::peers");  // waits for copies to the old block
       peer.block.reset();
       peer.block = std::make_unique<typename Blocks::Mapped>(offer.handle);
       peer.generation = offer.generation;

@@ -15,7 +15,7 @@
 
 namespace scree {
 
-/// The host and device of an instance of an execution space.
+/// Returns the host and device of an execution space instance.
 template <class Space>
 Place place_of(Space const& space) {
   Place place;

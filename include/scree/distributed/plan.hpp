@@ -15,16 +15,18 @@
 
 namespace scree {
 
-/// Who sends which particles of a body to whom. Particles are listed by their number here, for rank 0 first; a list may
-/// contain a particle several times, each time with another shift (m), which is added to its position on the way.
+/// A communication plan: which particles of a body each rank sends to which rank. Particles are listed by their number
+/// on this rank, in the order of the receiving ranks. A list may contain a particle several times, each time with a
+/// different shift (m), which is added to the position sent.
 template <class P>
 class Plan {
  public:
   using vector = Vec<P::dim, typename P::real>;
   using TeamOf = Team<typename P::space>;
 
-  /// The particles that `find(rank, first, numbers, shifts)` gives for each rank: a function for running_sum() over
-  /// `size` particles, which writes numbers and shifts from place `first` on as far as there is room.
+  /// Plans to send the particles that `find(rank, first, numbers, shifts)` finds for each rank. `find` returns a
+  /// functor for running_sum() over `size` particles, which writes numbers and shifts from index `first` on, as far as
+  /// there is room.
   template <class Find>
   void make(typename P::space const& space, TeamOf const& team, int size, Find const& find) {
     auto const ranks = static_cast<std::size_t>(team.ranks());
@@ -47,33 +49,33 @@ class Plan {
     agree(space, team);
   }
 
-  /// The numbers of the particles that this rank sends, in the order of the ranks that receive them.
+  /// Returns the numbers of the particles that this rank sends, in the order of the receiving ranks.
   Array<P, int> numbers() const { return numbers_.part(0, sending()); }
-  /// The vector that is added to the position of each of these particles, m. It is zero except across the ends of a
-  /// period.
+  /// Returns the vector (m) to add to the position of each particle in numbers(). It is zero except across the ends of
+  /// a period.
   Array<P, vector> shifts() const { return shifts_.part(0, sending()); }
-  /// The number of particles that this rank sends, and that it receives.
+  /// Returns the number of particles that this rank sends.
   int sending() const { return sent_.empty() ? 0 : static_cast<int>(sent_.back()); }
-  /// The number of particles that this rank receives.
+  /// Returns the number of particles that this rank receives.
   int receiving() const { return received_.empty() ? 0 : static_cast<int>(received_.back()); }
-  /// The number of particles that all ranks together send.
+  /// Returns the total number of particles that all ranks send.
   std::int64_t everywhere() const { return everywhere_; }
-  /// Index of the first particle for each rank, or from each rank, and the number of all at the end.
+  /// Returns the index of the first particle for each rank, and the total number at the end.
   std::vector<std::int64_t> const& sent() const { return sent_; }
-  /// Index of the first particle from each rank, and the number of all at the end.
+  /// Returns the index of the first particle from each rank, and the total number at the end.
   std::vector<std::int64_t> const& received() const { return received_; }
-  /// sent() and received() in the memory of the execution space, unless nothing is sent on any rank.
+  /// Returns sent() in the memory of the execution space, unless no rank sends anything.
   std::int64_t const* sent_there() const { return there_.data(); }
-  /// received() in the memory of the execution space, unless nothing is sent on any rank.
+  /// Returns received() in the memory of the execution space, unless no rank sends anything.
   std::int64_t const* received_there() const { return there_.data() + sent_.size(); }
 
  private:
-  /// Sends the numbers of particles to the ranks that will receive them.
+  /// Exchanges the particle counts, so that each rank knows how many particles to receive.
   void agree(typename P::space const& space, TeamOf const& team) {
     std::size_t const ranks = sent_.size() - 1, here = std::size_t(team.rank());
     std::vector<std::int64_t> counts(ranks);
     for (std::size_t q = 0; q < ranks; ++q) counts[q] = sent_[q + 1] - sent_[q];
-    auto const all = team.gather(counts);  // by sender and receiver
+    auto const all = team.gather(counts);  // by sender, then by receiver
     received_.assign(ranks + 1, 0);
     for (std::size_t q = 0; q < ranks; ++q) received_[q + 1] = received_[q] + all[q * ranks + here];
     check_number(double(received_.back()));
@@ -88,7 +90,7 @@ class Plan {
   Array<P, int> numbers_;
   Array<P, vector> shifts_;
   std::vector<std::int64_t> sent_, received_;
-  Array<P, std::int64_t> there_;  // both, in the memory of the execution space
+  Array<P, std::int64_t> there_;  // sent_ and received_, in the memory of the execution space
   std::int64_t everywhere_ = 0;
 };
 

@@ -12,16 +12,16 @@
 
 namespace scree {
 
-/// Counts and times from when it is made:
+/// Counts and times since the construction of this object:
 ///     Profiler const profiler(solver);
 ///     solver.run(1);
 ///     for (RankProfile const& rank : profiler.of(solver)) ...
 class Profiler {
  public:
-  /// Starts counting and the clock.
+  /// Starts counting and starts the clock.
   template <class S>
   explicit Profiler(S const& solver) : start_(here(solver)) {}
-  /// Returns the profiles of all ranks, on each rank. All ranks call it together.
+  /// Returns, on every rank, the profiles of all ranks. All ranks call this function together.
   template <class S>
   std::vector<RankProfile> of(S const& solver) const {
     RankProfile rank = here(solver);

@@ -13,18 +13,18 @@
 #include <cstring>
 #include <limits>
 
-// Loops that pack values of particles into messages, and unpack them. A record has the values of one particle, one
-// behind the other.
+// Functors that pack values of particles into messages and unpack them. A record has the values of one particle, one
+// after the other.
 namespace scree::detail {
 
 using Word = UntypedColumn::Word;
 
-/// Some columns and the offsets of their values in a record.
+/// A set of columns and the offsets of their values in a record.
 struct RecordColumns {
   static constexpr int most = 16;
   struct Each {
     Word* words;
-    int of_each, place;  // words of a value, and the first of them in a record
+    int of_each, place;  // words per value, and offset of the value in a record
   };
   Each columns[most];
   int count = 0;
@@ -32,8 +32,8 @@ struct RecordColumns {
   bool has(void const* words) const {
     return std::any_of(columns, columns + count, [&](Each const& each) { return each.words == words; });
   }
-  /// Calls copy(column, word of its value, word of the record) for the words of one of several threads that share a
-  /// record.
+  /// Calls copy(column, word of the value, word of the record) for the words that one thread copies when `sharing`
+  /// threads share a record.
   template <class Copy>
   SCREE_FN void for_each_word(int thread, int sharing, Copy const& copy) const {
     int const end = columns[count - 1].place + columns[count - 1].of_each;
@@ -44,21 +44,21 @@ struct RecordColumns {
   }
 };
 
-/// The number of threads that share each of some records. On a GPU eight threads read and write a sector of memory.
+/// Returns the number of threads that share each record. On a GPU eight threads read and write one memory sector.
 template <class Space>
 int threads_of_record(int records) {
   return on_host<Space> ? 1 : std::clamp(std::numeric_limits<int>::max() / std::max(records, 1), 1, 8);
 }
 
-/// The places of the records of one body in messages of several bodies. The message for a rank has all its records of
-/// the first body, then those of the next one.
+/// The positions of the records of one body in messages with several bodies. The message for a rank has all records of
+/// the first body, then all records of the next one.
 struct RecordPlaces {
-  static constexpr int most = 6;          // bodies
-  std::int64_t const* starts[most] = {};  // of each body: its first particle for each rank, and the end
-  int words[most] = {};                   // of a record
+  static constexpr int most = 6;          // the largest number of bodies
+  std::int64_t const* starts[most] = {};  // for each body, its first particle for each rank, and the end
+  int words[most] = {};                   // per record of each body
   int bodies = 0, body = 0, ranks = 0;
 
-  /// The first word of record k of the body.
+  /// Returns the index of the first word of record k of the body.
   SCREE_FN std::size_t operator()(int k) const {
     auto place = std::int64_t(k) * words[body];
     if (bodies > 1) {
@@ -83,17 +83,17 @@ struct RecordPlaces {
   }
 };
 
-/// Writes the records of listed particles, shifted. Several threads share a record.
+/// Writes the records of listed particles to messages, with shifted positions. `sharing` threads share a record.
 template <class P>
 struct PackRecords {
   using Element = typename Element<P, value_t<P, Position>>::type;
   RecordColumns of;
   RecordPlaces places;
-  Column<P, Position> x;  // empty, unless positions are among the columns
+  Column<P, Position> x;  // empty unless positions are among the columns
   Span<int const> numbers;
   ArraySpan<P, value_t<P, Position> const> shifts;
   Word* messages;
-  int sharing;  // threads for each record
+  int sharing;  // threads per record
 
   SCREE_FN void operator()(int thread) const {
     int const k = thread / sharing, i = numbers(k);
@@ -106,13 +106,13 @@ struct PackRecords {
   }
 
  private:
-  /// A word of the shifted position.
+  /// Returns one word of the shifted position of particle i.
   SCREE_FN Word moved(int i, int k, int word) const {
     value_t<P, Position> position = value_of(x(i));
     position += value_of(shifts(k));
     Element const element = position;
     Word words[sizeof(Element) / sizeof(Word)];
-    // As bytes: a compiler may assume that words do not alias parts of a number.
+    // Copied as bytes, because a compiler may assume that words do not alias parts of a number.
     memcpy(words, static_cast<void const*>(&element), sizeof element);
     return words[word];
   }
@@ -121,9 +121,9 @@ struct PackRecords {
 struct UnpackRecords {
   RecordColumns to;
   RecordPlaces places;
-  int first;  // particle
+  int first;  // the particle of record 0
   Word const* messages;
-  int sharing;  // threads for each record
+  int sharing;  // threads per record
 
   SCREE_FN void operator()(int thread) const {
     int const k = thread / sharing;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#if __has_include(<mpi.h>)  // programs that use this header need the include folder and the library of an MPI
+#if __has_include(<mpi.h>)  // programs that use this header need the headers and the library of MPI
 
 #include "cuda_blocks.hpp"
 #include "gpu_aware_mpi.hpp"
@@ -38,8 +38,8 @@ inline bool are_on_one_host(Mpi const& mpi) {
   return count == mpi.ranks();
 }
 
-/// The reason why this rank cannot map blocks of another one or wait for its marks; "" if it can of all. All ranks call
-/// it together.
+/// Returns why this rank cannot map blocks of another rank or wait for its marks, or "" if all ranks can. All ranks
+/// call this function together.
 template <class Blocks, class Mark, class Space>
 std::string fault_of_peers(Mpi& mpi, Space const& space) {
   std::string fault;
@@ -76,7 +76,8 @@ std::string fault_of_peers(Mpi& mpi, Space const& space) {
   return fault;
 }
 
-/// The processes of MPI, which write into `Blocks`; none, and the reason why, where that is impossible.
+/// Returns a team of the MPI processes that write to each other's `Blocks`. If that is impossible, returns none and
+/// sets `fault` to the reason.
 template <class Blocks, class Mark, class Space>
 std::optional<Team<Space>> team_with(Mpi& mpi, Space const& space, std::string& fault) {
   fault = are_on_one_host(mpi) ? fault_of_peers<Blocks, Mark>(mpi, space) : "the ranks are on several hosts";
@@ -86,7 +87,8 @@ std::optional<Team<Space>> team_with(Mpi& mpi, Space const& space, std::string& 
   fault = "messages do not arrive whole";
   return {};
 }
-/// team_with() that synchronises by events of CUDA where these are possible.
+/// Returns a team of the MPI processes that write to each other's `Blocks`, synchronised by CUDA events if possible and
+/// by fences otherwise, or returns none and sets `fault`.
 template <class Blocks, class Space>
 std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
 #ifdef KOKKOS_ENABLE_CUDA
@@ -96,8 +98,8 @@ std::optional<Team<Space>> team_with(Mpi& mpi, std::string& fault) {
   return team_with<Blocks, FencedMark>(mpi, Space(), fault);
 }
 
-/// The value of SCREE_TRANSPORT; "" if it is not set. Throws std::runtime_error unless it is allowed, and the same on
-/// all ranks: they would wait for each other. All ranks call it together.
+/// Returns the value of SCREE_TRANSPORT, or "" if it is not set. Throws std::runtime_error unless the value is allowed
+/// and the same on all ranks; otherwise the ranks would wait for each other. All ranks call this function together.
 inline std::string asked_transport(Mpi& mpi) {
   char const* const given = std::getenv("SCREE_TRANSPORT");
   std::string const asked = given == nullptr ? "" : given;
@@ -116,7 +118,8 @@ inline std::string asked_transport(Mpi& mpi) {
   return asked;
 }
 
-/// The processes of MPI, whose messages are MPI's; none, and the reason why, where that is impossible.
+/// Returns a team of the MPI processes that exchanges messages by MPI. If that is impossible, returns none and sets
+/// `fault` to the reason.
 template <class Space>
 std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const& asked, std::string& fault) {
   Mpi staged(communicator);
@@ -132,12 +135,12 @@ std::optional<Team<Space>> team_by_mpi(MPI_Comm communicator, std::string const&
 
 }  // namespace detail
 
-/// The ranks of a communicator as those of a case. GPUs of one host write into each other's memory (PeerMemory). If a
-/// trial shows that they cannot, messages go through memory of the host. Other ranks send messages by MPI: from memory
-/// of the GPUs if the library says that it can and a trial confirms it, through memory of the host if not. The
-/// environment variable SCREE_TRANSPORT selects one way: `peers`, `host` (also for ranks without a GPU), `mpi`,
-/// `gpu-mpi` (even if the library does not say that it can), `staged-mpi`. Throws std::runtime_error if that is
-/// impossible.
+/// Returns a team of the ranks of a communicator. GPUs on one host write to each other's memory (PeerMemory); if a test
+/// shows that they cannot, messages go through host memory. All other ranks send messages by MPI: directly from GPU
+/// memory if the library reports support and a test confirms it, and through host memory otherwise. The environment
+/// variable SCREE_TRANSPORT selects one transport: `peers`, `host` (also for ranks without a GPU), `mpi`, `gpu-mpi`
+/// (even if the library does not report support) or `staged-mpi`. Throws std::runtime_error if the selected transport
+/// is impossible.
 template <class Space>
 Team<Space> team_of_mpi(MPI_Comm communicator = MPI_COMM_WORLD) {
   Mpi mpi(communicator);
@@ -159,9 +162,9 @@ Team<Space> team_of_mpi(MPI_Comm communicator = MPI_COMM_WORLD) {
   throw std::runtime_error("scree: SCREE_TRANSPORT=" + asked + " is not possible: " + fault);
 }
 
-/// Calls function(team, space) with the ranks of MPI_COMM_WORLD. If it throws on one of them, the message goes
-/// to stderr and all processes end. MPI and Kokkos must have been initialised; Kokkos chooses the device of a rank by
-/// its number on the host.
+/// Calls function(team, space) with the ranks of MPI_COMM_WORLD. If the function throws on any rank, the message is
+/// printed to stderr and all processes end. MPI and Kokkos must have been initialised; Kokkos chooses the device of a
+/// rank by the number of the rank on its host.
 template <class Space, class Function>
 void run_on_mpi(Function const& function) {
   Mpi mpi;

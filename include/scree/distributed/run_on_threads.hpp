@@ -16,9 +16,9 @@
 
 namespace scree {
 
-/// Calls function(team, space) for each rank in a thread of this process, each with an instance of the execution space
-/// of its own; on a host they share the threads. Returns when all have ended. If one throws, all end, and its exception
-/// is thrown here, that of the rank with the lowest number if there are several.
+/// Calls function(team, space) for each rank in its own thread of this process and with its own execution space
+/// instance; on a CPU the instances share the threads. Returns when all ranks have ended. If a rank throws, all ranks
+/// end, and its exception is rethrown here; if several throw, the exception of the lowest rank is rethrown.
 template <class Space, class Function>
 void run_on_threads(int ranks, Function const& function) {
   check_setting(ranks > 0, "the number of ranks", ranks, "1 or more");

@@ -16,10 +16,10 @@
 
 namespace scree {
 
-/// A Transport between the threads of one process: each rank has a thread of its own.
+/// A Transport between threads of one process: each rank has its own thread.
 class SharedMemory {
  public:
-  /// The ends of all ranks.
+  /// Returns one transport object for each rank; the objects are connected with each other.
   static std::vector<SharedMemory> ends(int ranks) {
     auto const hub = std::make_shared<Hub>(ranks);
     std::vector<SharedMemory> all;
@@ -60,7 +60,7 @@ class SharedMemory {
     });
   }
   void fail(std::string const& message) { hub_->fail("rank " + std::to_string(rank_) + " failed: " + message); }
-  /// This rank calls no more functions. Others that wait for it end with a message.
+  /// Declares that this rank calls no more functions. Ranks that wait for it throw OtherRankFailed.
   void leave() { hub_->leave(rank_); }
 
  private:
@@ -75,9 +75,9 @@ class SharedMemory {
     explicit Hub(int count) : ranks(count), offered(std::size_t(count)) {}
 
     int const ranks;
-    std::vector<Offer> offered;  // of each rank, from one meeting to the next
+    std::vector<Offer> offered;  // by each rank, valid from one barrier to the next
 
-    /// A barrier: returns when all ranks have called it.
+    /// Waits until all ranks have called this function (a barrier).
     void meet() {
       std::unique_lock lock(mutex_);
       if (!left_.empty()) set_failed(left_);
@@ -119,8 +119,8 @@ class SharedMemory {
   };
 
   SharedMemory(std::shared_ptr<Hub> hub, int rank) : hub_(std::move(hub)), rank_(rank) {}
-  /// Returns, or rethrows the exception of `read`, when all ranks have read: the data that a rank offers must last
-  /// until then.
+  /// Calls `read`, waits until all ranks have read, because the data that a rank offers must last until then, and
+  /// rethrows the exception of `read`, if any.
   template <class Read>
   void read_together(Read const& read) {
     std::exception_ptr failure;

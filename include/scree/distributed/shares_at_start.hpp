@@ -14,17 +14,17 @@
 #include <string>
 #include <vector>
 
-// Checks of a case whose ranks begin with shares of the particles; Start is a BodyAtStart (solver/body_at_start.hpp).
+// Checks of a case whose ranks begin with shares of the particles. Start is a BodyAtStart (solver/body_at_start.hpp).
 namespace scree::detail {
 
-/// Whether a case begins from shares.
+/// Whether any body of a case begins from shares.
 template <class List, class Start>
 bool begins_from_shares(PerBody<Start, List> const& start) {
   return std::any_of(start.all.begin(), start.all.end(), [](auto const& body) { return body.is_share; });
 }
 
-/// Throws std::invalid_argument unless the ranges that all ranks have together contain each number once. `ranges` are
-/// those of all ranks, `of_each` of each.
+/// Throws std::invalid_argument unless the ranges on all ranks together contain each number exactly once. `ranges` has
+/// `of_each` ranges for each rank.
 [[gnu::cold]] inline void check_ranges(std::vector<RangeHere> const& ranges, std::size_t of_each,
                                        std::string const& name_of_body) {
   for (std::size_t group = 0; group < of_each; ++group) {
@@ -53,7 +53,7 @@ bool begins_from_shares(PerBody<Start, List> const& start) {
   }
 }
 
-/// Throws std::invalid_argument unless all ranks have groups of the same names in the same order.
+/// Throws std::invalid_argument unless all ranks have groups with the same names in the same order.
 template <class Start, class Ranks>
 [[gnu::cold]] void check_same_groups(Start const& body, Ranks const& ranks, std::string const& name_of_body) {
   std::string names;
@@ -66,8 +66,8 @@ template <class Start, class Ranks>
                                   ": each rank adds all groups in the same order, also where its share is empty");
 }
 
-/// Throws std::invalid_argument unless each body is given as shares that fit each other, and none is a rigid one. All
-/// ranks call it together.
+/// Throws std::invalid_argument unless the shares of each body fit together and no body is rigid. All ranks call this
+/// function together.
 template <class List, class Start, class Ranks>
 [[gnu::cold]] void check_shares(PerBody<Start, List> const& start, Ranks const& ranks) {
   if (has_rigid_bodies<List>)

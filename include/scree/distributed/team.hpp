@@ -19,13 +19,13 @@
 
 namespace scree {
 
-/// The ranks of one case as one of them sees them: any Transport, and reductions. Results of reductions are the same
-/// on all ranks and for any number of ranks. All ranks call the same functions in the same order. Copies share the
-/// transport.
+/// The ranks of one case, from the viewpoint of one rank: a Transport and reductions. The results of reductions are the
+/// same on all ranks and for any number of ranks. All ranks call the same functions in the same order. Copies of a team
+/// share the transport.
 template <class Space>
 class Team {
  public:
-  /// A team that a transport serves. Any other class does not compile.
+  /// Constructs a team that uses a transport. A class that is not a Transport does not compile.
   template <class T>
   explicit Team(T transport) : transport_(std::make_shared<Holder<T>>(std::move(transport))) {
     static_assert(Transport<T, Space>,
@@ -33,13 +33,13 @@ class Team {
                   "received) and fail(message)");
   }
 
-  /// The number of this rank, from 0.
+  /// Returns the number of this rank, from 0.
   int rank() const { return transport_->rank(); }
-  /// The number of ranks.
+  /// Returns the number of ranks.
   int ranks() const { return transport_->ranks(); }
-  /// The share of this rank, for fillings: each rank then begins with its own particles.
+  /// Returns the share of this rank, for functions that fill shapes: each rank then begins with its own particles.
   ShareOfRank share() const { return {rank(), ranks()}; }
-  /// A value of each rank, in order of ranks.
+  /// Returns a value from each rank, in the order of the ranks.
   template <class T>
   std::vector<T> gather(T const& mine) const {
     static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
@@ -47,7 +47,7 @@ class Team {
     gather_bytes(&mine, sizeof(T), all.data());
     return all;
   }
-  /// Gathers an equal number of values from each rank, those of rank 0 first.
+  /// Gathers the same number of values from each rank, in the order of the ranks.
   template <class T>
   std::vector<T> gather(std::vector<T> const& mine) const {
     static_assert(std::is_trivially_destructible_v<T>, "values travel as bytes");
@@ -55,7 +55,7 @@ class Team {
     gather_bytes(mine.data(), mine.size() * sizeof(T), static_cast<void*>(all.data()));
     return all;
   }
-  /// Sends a message to each rank and counts it; see Transport. Throws as the transport does.
+  /// Sends a message to each rank and counts the messages, see Transport. Throws the exceptions of the transport.
   void exchange(Space const& space, Messages const& sent, Messages const& received) const {
     Kokkos::Timer const timer;
     transport_->exchange(space, sent, received);
@@ -68,28 +68,30 @@ class Team {
       traffic.bytes += sent.size_for(q);
     }
   }
-  /// Ends all ranks of the case: calls on other ranks throw OtherRankFailed with the message.
+  /// Ends all ranks of the case: on other ranks, calls that wait and later calls throw OtherRankFailed with the
+  /// message.
   void fail(std::string const& message) const { transport_->fail(message); }
-  /// Returns the amount of data that this rank has sent so far, and the time that it took.
+  /// Returns the amount of data that this rank has sent so far, and the time taken.
   Traffic const& traffic() const { return transport_->traffic; }
-  /// Goes on counting from these numbers. Checks use it, so that their messages do not count as messages of the run.
+  /// Resets the counts to these values. Checks call this function so that their messages are not included in the counts
+  /// of the run.
   void count_from(Traffic const& traffic) const { transport_->traffic = traffic; }
   /// Returns a description of how messages travel, for output.
   std::string name(Space const& space) const { return transport_->name(space); }
 
-  /// The largest value of all ranks; every rank gets it.
+  /// Returns, on every rank, the largest value over all ranks.
   template <class T>
   T largest(T const& mine) const {
     auto const all = gather(mine);
     return *std::max_element(all.begin(), all.end());
   }
-  /// The smallest value of all ranks; every rank gets it.
+  /// Returns, on every rank, the smallest value over all ranks.
   template <class T>
   T smallest(T const& mine) const {
     auto const all = gather(mine);
     return *std::min_element(all.begin(), all.end());
   }
-  /// Sums of integers, element by element.
+  /// Returns the sums of integers over all ranks, element by element.
   std::vector<std::int64_t> sum(std::vector<std::int64_t> const& mine) const {
     auto const all = gather(mine);
     std::vector<std::int64_t> total(mine.size(), 0);
@@ -97,7 +99,7 @@ class Team {
     return total;
   }
   std::int64_t sum(std::int64_t mine) const { return sum(std::vector{mine}).front(); }
-  /// Sums of the terms of all ranks, element by element.
+  /// Returns the sums of the terms on all ranks, element by element.
   std::vector<double> sum(std::vector<ExactSum> const& mine) const {
     auto const all = gather(mine);
     std::vector<ExactSum> total(mine.size());
