@@ -147,9 +147,9 @@ struct Combined {
   }
   { return mechanics.template reaction_passes<Body>(resolution); }
 
-  /// Throws std::invalid_argument if a setting of a model or the period is out of range, if the densities of the species
-  /// have other ratios in the transport than in the mechanics, or if the closure has grains of a lower density than the
-  /// bed.
+  /// Throws std::invalid_argument if a setting of a model or the period is out of range, if the densities of the
+  /// species have other ratios in the transport than in the mechanics, or if the closure has grains of a lower density
+  /// than the bed.
   void check() const {
     check_settings_of(mechanics);
     check_settings_of(transport);
