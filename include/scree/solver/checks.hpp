@@ -34,8 +34,8 @@ namespace scree::detail {
 /// The largest allowed unit in the last place of a coordinate, in spacings. The coordinates of two neighbours are each
 /// rounded by up to half a unit, which displaces the neighbours by 0.4 units (rms) relative to each other. If the
 /// neighbours in a lattice are displaced by delta (rms), the error of the pressure gradient is about $3 \delta/(h
-/// \sqrt{n})$ times the pressure over h, with n neighbours: with h = 1.5 spacings and n = 28 (2D), a thousandth of the
-/// pressure per unit of 0.001 spacings.
+/// \sqrt{n})$ times the pressure over h, with n neighbours: with h = 1.5 spacings and n = 28 (2D), 1.5e-4 of this
+/// quotient per unit of 0.001 spacings.
 inline constexpr double coarsest_unit = 1e-3;
 
 /// Returns a message if single precision is too coarse for positions at this distance (m) from the origin; otherwise

@@ -62,7 +62,11 @@ template <class P>
 void warn_of_models(SolverState<P> const& state) {
   auto const& settings = state.settings;
   if (!settings.start_checks || !settings.warn || !state.system.whole_case().reports()) return;
-  std::string text = warning_of_grains(largest_grains_of(settings.physics), settings.spacing);
+  double largest = 0;  // diameter, m
+  for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
+    largest = std::max(largest, largest_grains_of(physics_of_body<Body>(settings.physics)));
+  });
+  std::string text = warning_of_grains(largest, settings.spacing);
   if constexpr (requires { settings.physics.warning(); }) {
     std::string const of_models = settings.physics.warning();
     if (!text.empty() && !of_models.empty()) text += '\n';
