@@ -6,6 +6,8 @@
 
 #include <scree/io/csv_series.hpp>
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <deque>
 #include <filesystem>
