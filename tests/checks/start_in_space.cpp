@@ -69,11 +69,19 @@ std::string message_of(Action const& action) {
 /// The message of the host, or "": the same as that of the execution space.
 template <class Space>
 std::string complaint(Case const& of) {
-  auto const host = message_of([&] { check_start(of.all, of.owned, of.spacing, of.dim, of.periods, of.words); });
+  std::string said;
+  auto words = of.words;
+  words.warn = [&](std::string const& text) { said += text; };
+  auto const all_of = [&](auto const& check) {
+    said.clear();
+    std::string const message = message_of(check);
+    return said + message;
+  };
+  auto const host = all_of([&] { check_start(of.all, of.owned, of.spacing, of.dim, of.periods, words); });
   auto const spots = spots_of<Space>(of);
   detail::StartIn<Space> look(spots, of.spacing, of.dim, of.periods);
   CHECK(look.can_look());
-  if (look.can_look()) CHECK(message_of([&] { look.check_start(of.words); }) == host);
+  if (look.can_look()) CHECK(all_of([&] { look.check_start(words); }) == host);
   return host;
 }
 bool agree(double one, double other) { return std::abs(one - other) <= 1e-12; }
@@ -203,7 +211,7 @@ void check_faults() {
   // The same under many walls of the right spacing, which are far away.
   auto far = sparse;
   for (int k = 0; k < 3; ++k) far = together<Dim>(far, moved<Dim>(wall, along<Dim>(0, 20 + 10 * k)));
-  refused(material, far, "the particles of a wall are too far apart");
+  refused(material, far, "scree: warning: the particles of a wall are far apart");
   // Both ends of a period.
   refused(material, {}, "m from particle", 0.1, {{0, 0, 1.1}});
   refused(material, {}, "m from particle", 0.1, {{1, 0, 1.2}, {0, 0, 1.195 - 0.09}});

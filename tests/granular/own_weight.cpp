@@ -81,6 +81,25 @@ TEST_CASE("a bed that its own weight compresses by a tenth is warned of, once, a
   CHECK(said(100, 0).empty());
 }
 
+TEST_CASE("a thin layer along a slope, and separate beds, give no warning of a deep bed") {
+  auto const said = [](std::vector<Vec<2, double>> const& points, double inclination) {
+    std::string all;
+    SolverSettings<Sand> settings{.spacing = 0.02, .warn = [&](std::string const& text) { all += text; }};
+    settings.physics.law = {.elastic = {5e4, 0, 1000}, .grains = {1e-3}};
+    settings.physics.gravity = {9.81, inclination};
+    Solver<Sand> solver(settings, points);
+    solver.check_start();
+    return all;
+  };
+  // c^2 is 50 m^2/s^2, so that a depth of 0.51 m is the bar. The layer extends over 2 m along gravity.
+  auto const layer = fill_lattice(Box<2>{{0, 0}, {5, 0.1}}, 0.02);
+  CHECK(said(layer, 0.41) == "");
+  auto beds = fill_lattice(Box<2>{{0, 0}, {0.4, 0.2}}, 0.02);
+  for (auto const& x : fill_lattice(Box<2>{{2, 2}, {2.4, 2.2}}, 0.02)) beds.push_back(x);
+  CHECK(said(beds, 0) == "");
+  CHECK_THAT(said(fill_lattice(Box<2>{{0, 0}, {0.4, 1}}, 0.02), 0), ContainsSubstring("compresses the material by"));
+}
+
 TEST_CASE("the depth of a bed is its extent along gravity") {
   // Along the first coordinate the particles are 0.38 m apart: 1341 kg/m^3.
   CHECK_NOTHROW(one_step<Sand>(1330, std::acos(-1) / 2));

@@ -49,7 +49,7 @@ class ShownStart {
   /// Takes a step of at most `longest` (s); returns its length.
   virtual double step(double longest) = 0;
   /// Returns the number of steps that each limit has set.
-  virtual std::map<std::string, long> const& limits() const = 0;
+  virtual std::map<std::string, long> limits() const = 0;
 };
 
 namespace detail {
@@ -66,7 +66,7 @@ class ShownSolver : public ShownStart {
     return "";
   }
   double step(double longest) override { return solver_.step(longest); }
-  std::map<std::string, long> const& limits() const override { return solver_.limits(); }
+  std::map<std::string, long> limits() const override { return solver_.limits(); }
 
  private:
   S& solver_;

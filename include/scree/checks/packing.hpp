@@ -57,7 +57,7 @@ struct Packing {
   /// `fill_of_walls` is also considered, which is 1 on a square lattice and 0.87 on a hexagonal one. Walls are wrong if
   /// both values are above 1.15, or both are below 0.85, or if walls_are_sparse().
   bool walls_may_start() const {
-    if (walls_are_sparse() || a_wall_is_sparse()) return false;
+    if (walls_are_sparse()) return false;
     return at_walls < 8 || !((walls > 1.15 && fill_of_walls > 1.15) || (walls < 0.85 && fill_of_walls < 0.85));
   }
   /// Whether walls are so sparse that they may not be on all sides of the material beside them: 8 particles or more
@@ -67,8 +67,8 @@ struct Packing {
   bool walls_are_sparse() const {
     return facing >= 8 && 2 * facing_little > facing && fill_of_walls < detail::Crowding::sparse_fill;
   }
-  /// Whether one of several walls is too sparse, which a median over all walls does not show: 8 particles of the
-  /// material or more are beside it.
+  /// Whether one of several walls may be too sparse, which a median over all walls does not show: 8 particles of the
+  /// material or more are beside it. Grates and pins of single particles look the same.
   bool a_wall_is_sparse() const { return facing_sparse >= 8; }
   /// Whether particles are on a lattice of their spacing, in a layer whose surface has steps.
   bool is_stepped() const {
@@ -133,6 +133,9 @@ class PackingOfMany {
 /// Returns the message, which begins with `where`, about a fault in the packing of walls with a spacing (m); "" if
 /// there is no fault.
 [[gnu::cold]] std::string fault_of_walls(Packing const& packing, double spacing, std::string const& where);
+
+/// Returns the warning about one wall that may be too sparse for a spacing (m); "" if there is none.
+[[gnu::cold]] std::string warning_of_sparse_wall(Packing const& packing, double spacing);
 
 }  // namespace scree
 

@@ -95,18 +95,22 @@ SCREE_BODY std::string fault_of_walls(Packing const& packing, double spacing, st
         "settings.spacing, %.6g m?",
         where.c_str(), packing.fill_of_walls, packing.facing_little, packing.facing, detail::Crowding::least_of_walls,
         spacing);
-  if (packing.a_wall_is_sparse())
-    return detail::formatted(
-        "scree: %s the particles of a wall are too far apart: beside %ld particles of the material, which see less "
-        "than "
-        "%.4g of the wall that belongs there, their volumes are less than %.4g times the space that they have: are "
-        "spacing and volumes of this wall those that belong to settings.spacing, %.6g m?",
-        where.c_str(), packing.facing_sparse, detail::Crowding::least_of_walls, detail::Crowding::sparse_fill, spacing);
   return detail::formatted(
       "scree: %s the particles of walls fill %.4g times the space that the material leaves to them, and their volumes "
       "are %.4g times the space that they have themselves (medians; from 0.85 to 1.15 is allowed): are spacing and "
       "volumes of the walls those that belong to settings.spacing, %.6g m?",
       where.c_str(), packing.walls, packing.fill_of_walls, spacing);
+}
+
+SCREE_BODY std::string warning_of_sparse_wall(Packing const& packing, double spacing) {
+  if (!packing.a_wall_is_sparse()) return "";
+  return detail::formatted(
+      "scree: warning: the particles of a wall are far apart: %ld particles of the material beside it have less than "
+      "%.4g of the wall that belongs there, and its volumes are less than %.4g times the space that they have. "
+      "Material "
+      "leaks into such a wall unless it is meant as a grate: are spacing and volumes of this wall those that belong to "
+      "settings.spacing, %.6g m?",
+      packing.facing_sparse, detail::Crowding::least_of_walls, detail::Crowding::sparse_fill, spacing);
 }
 
 }  // namespace scree

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -21,6 +22,7 @@ struct StartWords {
   bool judges_packing = true;  ///< whether spacing and volumes are compared with distances of particles, see Packing
   char const* remedy = "if this is meant, set `start_checks = false`";  ///< the end of each message
   double most_density = detail::Crowding::most_density;                 ///< largest density of material and walls
+  std::function<void(std::string const&)> warn = {};                    ///< gets the warning of a sparse wall
 };
 
 namespace detail {

@@ -29,6 +29,8 @@ SCREE_BODY void detail::StartFaults::check(Packing const& packing) const {
   auto fault = fault_of_packing(packing, spacing, dimensions, words.when);
   if (fault.empty()) fault = fault_of_walls(packing, spacing, words.when);
   if (!fault.empty()) throw std::invalid_argument(fault + "; " + words.remedy);
+  auto const doubt = warning_of_sparse_wall(packing, spacing);
+  if (!doubt.empty() && words.warn) words.warn(doubt);
 }
 
 SCREE_BODY void detail::StartFaults::refuse(NamedParticle const& i, std::string const& what) const {

@@ -76,7 +76,7 @@ struct MuOfI {
       check_setting(mu <= largest_friction, name, mu,
                     "at most 10: it is the tangent of a friction angle, not the angle in degrees");
     check_setting(mu_d >= mu_s, "mu_d (-) of MuOfI", mu_d, "mu_s or more");
-    detail::check_density_of_bed(elastic.rest_density, grain_density, "MuOfI");
+    if (mu_d > mu_s) detail::check_density_of_bed(elastic.rest_density, grain_density, "MuOfI");
   }
   SCREE_FN double bulk_modulus() const { return elastic.bulk_modulus(); }
   SCREE_FN double density() const { return elastic.density(); }

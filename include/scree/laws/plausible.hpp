@@ -13,7 +13,7 @@
 namespace scree {
 namespace detail {
 
-/// Throws std::invalid_argument where a bed is denser than its grains (kg/m^3), those of a model.
+/// Throws std::invalid_argument if a bed is denser than its grains (kg/m^3), those of a model.
 [[gnu::cold]] void check_density_of_bed(double bed, double grains, char const* model);
 
 /// The warning of a bed of a depth (m) that its weight compresses by a tenth or more at its bottom, with gravity

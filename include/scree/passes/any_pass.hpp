@@ -18,18 +18,19 @@ struct WrittenBy {
   template <class Body>
   using of = typename Pass::template writes<Body>;
 };
-template <class Pass, class Sys>
-concept GivesAnyPass = requires(Pass const& pass) {
-  pass.template value<Sys>();
-};
+/// Whether a pass is one of the library, whose value() is its value for a system. A class that derives from such a pass
+/// may have a function run() of its own.
+template <class Pass>
+inline constexpr bool gives_value = false;
 template <class Sys, class Pass>
 void run_pass(void const* pass, void* system) {
   static_cast<Pass const*>(pass)->run(*static_cast<Sys*>(system));
 }
-/// Returns a value that refers to a pass of a system. For a pass without value(), the value calls run() of the pass.
+/// Returns the value of a pass for a system, which refers to the pass: the result of value() for a pass of the library;
+/// for any other pass a value whose loops are run() of the pass.
 template <class Sys, class Pass>
 AnyPass any_pass(Pass const& pass) {
-  if constexpr (GivesAnyPass<Pass, Sys>)
+  if constexpr (gives_value<Pass>)
     return pass.template value<Sys>();
   else
     return {.loops = run_pass<Sys, Pass>, .pass = &pass};

@@ -289,6 +289,15 @@ struct OnlyIf {
     return value;
   }
 };
+namespace detail {
+template <class... Ts>
+inline constexpr bool gives_value<PairPass<Ts...>> = true;
+template <class... Ts>
+inline constexpr bool gives_value<PointPass<Ts...>> = true;
+template <class Pass>
+inline constexpr bool gives_value<OnlyIf<Pass>> = true;
+}  // namespace detail
+
 /// Returns passes that run only if `active` is true.
 template <detail::AnyTuple Passes>
 auto only_if(bool active, Passes const& passes) {

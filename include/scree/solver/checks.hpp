@@ -80,16 +80,17 @@ class PositionChecks {
     if constexpr (!on_host<typename P::space>)
       if (start_in_space(system, settings, warns)) return;
     Places const here = places(system, settings);
-    check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, {}, here.others);
-    check_depth(settings, warns && system.whole_case().reports(),
+    check_start(here.all, here.owned, settings.spacing, P::dim, here.periods, words_of(system, settings, warns),
+                here.others);
+    check_depth(system, settings, warns,
                 [&](auto const& g) { return extent_along(g, here.all, here.owned, system.whole_case()); });
   }
   /// Checks positions as start() does, in the execution space. Returns false if they must be checked on the host.
   template <class Sys>
   [[gnu::cold]] static bool start_in_space(Sys const& system, SolverSettings<P> const& settings, bool warns = false) {
     return look_in_space<P>(system, settings, [&](auto& look) {
-      look.check_start();
-      check_depth(settings, warns && system.whole_case().reports(), [&](auto const& g) {
+      look.check_start(words_of(system, settings, warns));
+      check_depth(system, settings, warns, [&](auto const& g) {
         return look.extent_along({double(g[0]), double(g[1]), P::dim == 3 ? double(g[P::dim - 1]) : 0.0});
       });
     });
@@ -164,18 +165,52 @@ class PositionChecks {
     Places const here = places(system, settings);
     return packing_of(here.all, here.owned, settings.spacing, P::dim, here.periods, here.others);
   }
-  /// Checks the depth of the material along gravity, extent(g) in m, if the physics model has such a check.
+  /// Returns the words of check_start() for the start of a solver.
+  template <class Sys>
+  [[gnu::cold]] static StartWords words_of(Sys const& system, SolverSettings<P> const& settings, bool warns) {
+    StartWords words;
+    if (warns && system.whole_case().reports()) words.warn = settings.warn;
+    return words;
+  }
+  /// Returns the depth (m) of material with a volume (m^dim), for warnings: extent(g) along gravity, or twice the mean
+  /// height over the area that the material covers if that is less, as in a layer along a slope or in separate beds.
   template <class Extent>
-  [[gnu::cold]] static void check_depth([[maybe_unused]] SolverSettings<P> const& settings, [[maybe_unused]] bool warns,
+  [[gnu::cold]] static double depth_of_bed(Extent const& extent, Vec<P::dim, double> const& g, double volume,
+                                           double spacing) {
+    using X = Vec<P::dim, double>;
+    if (!(g.squaredNorm() > 0)) return 0;
+    double area = 1;
+    if constexpr (P::dim == 2) {
+      area = extent(X(-g[1], g[0])) + spacing;
+    } else {
+      int least = 0;
+      g.cwiseAbs().minCoeff(&least);
+      X const a = X::Unit(least) - g * (g[least] / g.squaredNorm());
+      X const b(g[1] * a[2] - g[2] * a[1], g[2] * a[0] - g[0] * a[2], g[0] * a[1] - g[1] * a[0]);
+      area = (extent(a) + spacing) * (extent(b) + spacing);
+    }
+    return std::min(extent(g), 2 * volume / area);
+  }
+  /// Checks the depth of the material along gravity, extent(g) in m, if the physics model has such a check; with
+  /// `warns` it also warns of a soft bed.
+  template <class Sys, class Extent>
+  [[gnu::cold]] static void check_depth([[maybe_unused]] Sys const& system,
+                                        [[maybe_unused]] SolverSettings<P> const& settings, [[maybe_unused]] bool warns,
                                         [[maybe_unused]] Extent const& extent) {
     for_each_body(evolving_bodies<P>{}, [&]<class Body>() {
       auto const& physics = physics_of_body<Body>(settings.physics);
       if constexpr (requires { physics.check_depth(0.0); }) {
-        double const depth = extent(gravity_of(physics).template vector<Vec<P::dim, double>>());
-        physics.check_depth(depth);
-        if constexpr (WarnsOfDepth<std::remove_cvref_t<decltype(physics)>>)
-          if (auto const text = physics.warning_of_depth(depth); !text.empty() && warns && settings.warn)
-            settings.warn(text);
+        Vec<P::dim, double> const g = gravity_of(physics).template vector<Vec<P::dim, double>>();
+        physics.check_depth(extent(g));
+        if constexpr (WarnsOfDepth<std::remove_cvref_t<decltype(physics)>>) {
+          if (!warns) return;
+          double particles = 0;
+          for_each_body(evolving_bodies<P>{},
+                        [&]<class Each>() { particles += double(system.template whole<Each>().size()); });
+          double const volume = particles * std::pow(settings.spacing, P::dim);
+          auto const text = physics.warning_of_depth(depth_of_bed(extent, g, volume, settings.spacing));
+          if (!text.empty() && settings.warn && system.whole_case().reports()) settings.warn(text);
+        }
       }
     });
   }
