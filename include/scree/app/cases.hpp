@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-// Macros decide whether the cases of a program may be divided into ranks (docs/distributed.md): with SCREE_MPI, ranks
+// Macros decide whether the cases of a program may be divided among ranks (docs/distributed.md): with SCREE_MPI, ranks
 // are processes of mpirun or threads; with SCREE_RANKS, ranks are threads; without either, cases are not divided.
 // Everything that depends on this choice is in the inline namespace SCREE_CASES, because the source files of a program
 // may differ in their choice, and a linker would otherwise merge functions and classes of the same name.

@@ -36,8 +36,8 @@ struct CommandLine {
   bool is_study() const { return !study.empty() || !vary.empty(); }
 };
 
-/// Reads the command line; `--kokkos-...` is left to Kokkos. Returns nothing if help was printed (`exit_code` is 0) or
-/// the command line is wrong (`exit_code` is not 0).
+/// Reads the command line; `--kokkos-...` is left to Kokkos. Returns std::nullopt if help was printed (`exit_code` is
+/// 0) or the command line is invalid (`exit_code` is not 0).
 std::optional<CommandLine> read_command_line(std::vector<std::string> arguments, Program const& program,
                                              int& exit_code);
 

@@ -74,7 +74,7 @@ int run_ranks(Run<T> const& run, typename P::space const& space, [[maybe_unused]
     return exit_code;
   }
 #endif
-  Ranks<P> const undivided{};  // g++ 14 warns about a temporary
+  Ranks<P> const undivided{};  // named, because g++ 14 warns about a temporary
   return simulate(run, space, undivided);
 }
 

@@ -23,7 +23,7 @@ struct Option {
   std::string key() const { return section + "." + name; }
   /// Sets the option in a struct. Throws Problem if the value has another type or is out of range.
   void read(void* options, Value const& value) const { read_member(static_cast<char*>(options) + at, value, about); }
-  /// Returns the value of the option in a struct as TOML; empty: not given.
+  /// Returns the value of the option in a struct as TOML, or an empty string if it is not given.
   std::string text(void const* options) const { return text_of_member(static_cast<char const*>(options) + at); }
 };
 

@@ -23,7 +23,7 @@ struct SpeciesList {
 
   /// Whether there is no list.
   bool empty() const { return diameters.empty(); }
-  /// Returns the number of sizes; 0 without a list.
+  /// Returns the number of grain sizes; 0 if there is no list.
   int count() const { return int(diameters.size()); }
   /// Returns the index of the smallest grains in the list, which must not be empty.
   int smallest() const { return int(std::ranges::min_element(diameters) - diameters.begin()); }

@@ -23,7 +23,8 @@ inline void add_counts(Json::Object& summary, Figures const& figures, double wal
 
 /// Adds to a summary the number density of the grains under pressure, divided by the number density at rest. `packing`
 /// is the median over the grains with neighbours on all sides; `packing_loosest` and `packing_densest` are the values
-/// for the loosest and the densest twentieth of these grains. All three are NaN if there are no such grains.
+/// for the loosest and the densest twentieth of these grains. All three are NaN if no grain under pressure has
+/// neighbours on all sides.
 inline void add_packing(Json::Object& summary, Packing const& packing) {
   auto const add = [&](char const* name, double value) {
     summary.emplace_back(name, packing.full > 0 ? value : std::numeric_limits<double>::quiet_NaN());

@@ -127,8 +127,9 @@ SCREE_FN Packed with_shear(Packed sigma, X const& s, X const& n) {
   return sigma;
 }
 
-/// Returns the stress of a wall particle for material with the stress sigma: sigma itself; at a slip wall (unit normal
-/// n), its mirror image, so that the shear stress along the wall vanishes halfway between them.
+/// Returns the stress of a wall particle for material with the stress sigma: sigma itself or, at a slip wall (unit
+/// normal n), the mirror image of sigma, so that the shear stress along the wall vanishes halfway between the two
+/// particles.
 template <class Packed, class X>
 SCREE_FN Packed reflected(Packed const& sigma, X const& n) {
   X const traction = product(sigma, n);

@@ -47,8 +47,8 @@ struct MaybeNear {
 /// Returns the marks of the cells around points.
 [[gnu::cold]] std::vector<std::uint32_t> marks_around(std::vector<PointsInCells::Point> const& points, double width);
 
-/// Returns the numbers of the owned particles of a body that may be within a width (m) of some points. All that are
-/// within it are included, and some others.
+/// Returns the numbers of the owned particles of a body that may be within a width (m) of some points. All particles
+/// within the width are included, and possibly some others.
 template <class P>
 [[gnu::cold]] Array<P, int const> those_near(std::vector<PointsInCells::Point> const& points, double width,
                                              AnyParticles<P> const& body) {

@@ -56,7 +56,7 @@ struct Spots {
   }
 };
 
-/// The box around some spots; coordinates that are not a number are ignored.
+/// The box around some spots; NaN coordinates are ignored.
 struct BoxAroundSpots {
   struct value_type {
     double low[3], high[3];
@@ -196,8 +196,9 @@ struct PickSpots {
 template <class Space>
 class SpotsInCells {
  public:
-  /// The largest number of particles in a bucket: that of some cells that are twice as dense as a lattice of their
-  /// spacing allows. With more, for instance if most particles are in one place, the search would take too long.
+  /// The largest number of particles in a bucket. It suffices for several cells that are twice as dense as a lattice
+  /// with the spacing of the particles. With fuller buckets, for instance if most particles are in one place, the
+  /// search would take too long.
   static constexpr int most_in_bucket = 512;
 
   SpotsInCells(Spots<Space> const& spots, double width, int dimensions, std::vector<Period> const& periods) {

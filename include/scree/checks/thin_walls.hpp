@@ -113,8 +113,8 @@ class ThinWalls {
 inline constexpr int many_thin_places = 3;
 
 /// Returns the message about the first wall that is too thin for particles with a spacing (m); "" if there is none, or
-/// if fewer than many_thin_places wall particles of the case have a fault. If the particles of the case are in several
-/// places, the message is returned where the first such wall is.
+/// if fewer than many_thin_places wall particles of the case have a fault. If the particles of the case are divided
+/// among ranks, only the rank with the first such wall returns the message.
 template <class Case = WholeCase>
 [[gnu::cold]] std::string fault_of_thin_walls(ParticlesAtWalls const& particles, double spacing, int dimensions,
                                               Case const& of_case = {}) {

@@ -22,7 +22,7 @@ class ExactSum {
       return *this;
     }
     if (term == 0) return *this;
-    int exponent = 0;  // term = fraction 2^exponent, |fraction| in [1/2, 1)
+    int exponent = 0;  // term = fraction * 2^exponent, |fraction| in [1/2, 1)
     double const fraction = std::frexp(term, &exponent);
     auto const bits = static_cast<std::int64_t>(std::ldexp(std::abs(fraction), 53));
     int const place =

@@ -27,7 +27,7 @@ namespace scree {
 template <class P>
 class Agreement {
  public:
-  /// Constructs the agreement of the ranks of a team.
+  /// Makes the object by which this rank reaches agreement with the other ranks of a team.
   explicit Agreement(Team<typename P::space> const& team) : team_(team) {}
 
   /// Returns the team of the ranks of the case.

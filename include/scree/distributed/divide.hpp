@@ -28,8 +28,8 @@ struct DividedCase {
   std::optional<Team<Space>> team = {};  ///< if not set, the case has one rank
   /// The axis along which space is cut into slabs; if not set, recursive coordinate bisection is used.
   std::optional<int> slabs = {};
-  /// The limit (-, above 1) of the largest load of a rank over the mean load. The case is divided again if this ratio
-  /// exceeds the limit and 1.05 times its value after the last division.
+  /// The limit (-, above 1) on the ratio of the largest load of a rank to the mean load. The case is divided again if
+  /// this ratio exceeds the limit and 1.05 times its value after the last division.
   double most_imbalance = 1.2;
   /// The relative cost of a particle of each body, in the order of the `bodies` of the formulation; the cost is 1 for
   /// bodies that are not listed.

@@ -68,8 +68,8 @@ class Team {
       traffic.bytes += sent.size_for(q);
     }
   }
-  /// Ends all ranks of the case: on other ranks, calls that wait and later calls throw OtherRankFailed with the
-  /// message.
+  /// Ends all ranks of the case. On other ranks that are threads, calls that wait and later calls throw OtherRankFailed
+  /// with the message; MPI processes are aborted.
   void fail(std::string const& message) const { transport_->fail(message); }
   /// Returns the amount of data that this rank has sent so far, and the time taken.
   Traffic const& traffic() const { return transport_->traffic; }

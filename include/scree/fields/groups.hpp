@@ -18,7 +18,7 @@ namespace scree {
 
 /// A range of consecutive Identity numbers, from `first` up to but not including `last`.
 struct IdentityRange {
-  int first = 0, last = 0;  ///< the first number, and the one after the last
+  int first = 0, last = 0;  ///< the first number, and one past the last
 
   /// Returns the number of Identity numbers in the range.
   int size() const { return last - first; }

@@ -99,7 +99,8 @@ using Without = typename detail::subtract<Fields<>, A, B>::type;
 template <class A, class B>
 using Common = Without<A, Without<A, B>>;
 
-/// The fields that a model reads from either particle of a pair: its list `reads`, or an empty list.
+/// The fields that a model reads from both particles of a pair, or from its only particle: its list `reads`, or an
+/// empty list.
 template <class T>
 using reads_of = typename detail::reads_or_none<T>::type;
 /// The fields that a term or lens reads only from particle i: its list `reads_i`, or an empty list.

@@ -6,7 +6,7 @@
 
 namespace scree::detail {
 
-/// A nameless formulation with the given choices. Solvers of all formulations with the same choices share their code;
+/// An unnamed formulation with the given choices. Solvers of all formulations with the same choices share their code;
 /// the library scree::compiled contains the code for the default choices (granular/solvers.hpp).
 template <class Basis, class Search, class Ghosts, class Integrator, class AllBodies, class Motion, class Diagnostics,
           class Carries, class Physics>

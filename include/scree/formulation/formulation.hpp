@@ -48,7 +48,7 @@ struct Formulation {
   template <class P>
   using ghosts = PeriodicImages<P>;  ///< the provider of particles beyond the boundaries of the domain
   using integrator = Midpoint;
-  using bodies = Bodies<Material, Wall>;  ///< bodies that evolve, usually one, and any number that follow the motion
+  using bodies = Bodies<Material, Wall>;  ///< usually one body that evolves, and any number that follow the motion
   using motion = AtRest;
   using diagnostics = NoDiagnostics;  ///< passes that run for output only
   using carries = Fields<>;           ///< fields that no pass needs, carried by the bodies for output

@@ -135,7 +135,8 @@ struct Granular {
     return std::tuple(pair_pass<Body>("scree::wall_force", over<Material>(reaction)));
   }
 
-  /// Returns the acoustic CFL number, time step over h/c_s, which must not exceed largest_cfl() of the integrator.
+  /// Returns the acoustic CFL number, the ratio of the time step to h/c_s, which must not exceed largest_cfl() of the
+  /// integrator.
   double acoustic_cfl() const { return cfl; }
   /// Returns the largest allowed speed of inflowing grains, m/s: half the speed of sound times `largest_mach`. If
   /// grains with speed u are stopped, the pressure rho c u compresses them by u/c. If there are several materials, the

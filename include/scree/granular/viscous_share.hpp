@@ -47,9 +47,10 @@ template <class... Of>
   auto const sums = sums_over(body, momentum, "the share of the artificial viscosity");
   return sums[0] > 0 ? sums[1] / sums[0] : 0;
 }
-/// The warning of an artificial viscosity `speed` (m/s) that rules more than half of a flow, see viscous_share(); empty
-/// for others. With 0.5 m/s collapses of 0.1 and 1 m, rain, slopes and drums of 20 rows have 0.44 at most, for a
-/// moment; with 10 m/s a collapse of 0.1 m has 0.6 to 0.8.
+/// Returns a warning if the artificial viscosity `speed` (m/s) dominates in more than half of a flow (`share` is the
+/// result of viscous_share()), and an empty string otherwise. At 0.5 m/s, the share is at most 0.44, and only briefly,
+/// in rain, on slopes, in drums of 20 rows and in collapses of 0.1 m and 1 m; in a collapse of 0.1 m at 10 m/s, it is
+/// 0.6 to 0.8.
 [[gnu::cold]] inline std::string warning_of_viscosity(double share, double speed) {
   if (!(share > 0.5)) return "";
   return detail::formatted(

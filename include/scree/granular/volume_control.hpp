@@ -81,7 +81,7 @@ struct NoVolumeControl {
 /// 0.005 of the integrals of the Wendland C2 kernel in 2D and 3D.
 template <class Real>
 SCREE_FN Real compactness(Real phi, Real asymmetry_of_phi, Real at_surface) {
-  // A ratio of 2 or more cannot result from a plane surface.
+  // Below a plane surface the ratio is less than 2; in the plane of the surface, where Phi = 1/2, it is 2.
   if (!(asymmetry_of_phi < 2 * at_surface * phi)) return 2 * phi;
   Real const ratio = asymmetry_of_phi / (at_surface * phi);
   Real const a = Real(0.19), b = Real(2.283), c = Real(3.946);

@@ -37,7 +37,7 @@ struct BodyOfPoints {
 /// Returns the array of a field without its values. Blanks in the name are replaced, because array calculators do not
 /// accept them; "dim" in the unit is replaced by the number of dimensions.
 PointArray empty_array(FieldOfPoints const& field);
-/// Appends values, given as raw bytes, with all components that they have in space.
+/// Appends values, given as raw bytes, with all the components that they have in 3D.
 void append_in_space(PointArray& array, FieldOfPoints const& field, std::vector<std::byte> const& values);
 /// Appends zeros for particles that do not carry the field.
 void append_zeros(PointArray& array, std::size_t particles);

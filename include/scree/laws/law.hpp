@@ -93,7 +93,8 @@ concept ConstantStiffness = requires(L const& law) {
   { law.bulk_modulus() } -> std::convertible_to<double>;
   { law.sound_speed() } -> std::convertible_to<double>;
 };
-/// Whether the moduli of a law depend on the state: it has bulk_modulus(sigma, point) and sound_speed(sigma, point).
+/// Whether the moduli of a law depend on the state, that is, whether the law has bulk_modulus(sigma, point) and
+/// sound_speed(sigma, point).
 template <class L>
 concept StiffnessOfState = requires(L const& law, StressTensor<double> const& sigma, detail::PointOf<L> const& point) {
   { law.bulk_modulus(sigma, point) } -> std::convertible_to<double>;

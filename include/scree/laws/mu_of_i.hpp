@@ -37,9 +37,9 @@ constexpr bool explain_grains() {
 /// Elastoplastic granular material whose friction depends on the inertial number $I = \dot\gamma d/\sqrt{p/\rho_s}$,
 /// with the yield surface $\sqrt{J_2} \le k_\mu p$ and $\mu = \mu_s + (\mu_d - \mu_s) \dot\gamma/(I_0 \sqrt{p/(\rho_s
 /// d^2)} + \sqrt{\dot\gamma^2 + \lambda^2})$ (Jop et al. 2006; Zhu et al. 2024, eqs 2.11 to 2.15). The material is
-/// cohesionless, and its flow is isochoric. The yield surface is a circular cone, or has the section that the point
-/// names, which touches the cone in plane shear: MatsuokaNakai in 3D unless the models of Granular name another
-/// section. The density in `elastic` is the bulk density of grains and voids together.
+/// cohesionless, and its flow is isochoric. The yield surface is a circular cone unless the point passed to the law
+/// specifies another section, which then touches this cone in plane shear. In 3D, Granular specifies MatsuokaNakai
+/// unless its models name another section. The density in `elastic` is the bulk density of grains and voids together.
 template <class GrainModel = UniformGrains>
 struct MuOfI {
   static constexpr bool cohesionless = true;

@@ -13,22 +13,22 @@
 namespace scree {
 namespace detail {
 
-/// Throws std::invalid_argument if a bed is denser than its grains (kg/m^3), those of a model.
+/// Throws std::invalid_argument if a bed is denser than the grains of a model (densities in kg/m^3).
 [[gnu::cold]] void check_density_of_bed(double bed, double grains, char const* model);
 
-/// The warning of a bed of a depth (m) that its weight compresses by a tenth or more at its bottom, with gravity
-/// (m/s^2) and the speed of sound (m/s; 0: not known); empty for others.
+/// Returns the warning about a bed of a depth (m) whose weight compresses its bottom by a tenth or more under gravity
+/// (m/s^2), with the speed of sound (m/s; 0: unknown); empty for other beds.
 [[gnu::cold]] std::string warning_of_soft_bed(double depth, double gravity, double sound_speed);
 
-/// What doubts_of_law() looks at.
+/// The parameters of a law that doubts_of_law() checks.
 struct NumbersOfLaw {
-  double density = 0;        ///< the least one of a bed, kg/m^3; 0: not known
-  double grain_density = 0;  ///< kg/m^3; 0: not known
-  double I0 = 0, rise = 0;   ///< and the rise of the friction from rest to an inertial number of 1
-  double cohesion = 0;       ///< of a cone, Pa
-  double young = 0;          ///< Pa; 0: not known
+  double density = 0;        ///< least density of a bed, kg/m^3; 0: unknown
+  double grain_density = 0;  ///< density of the grains, kg/m^3; 0: unknown
+  double I0 = 0, rise = 0;   ///< I0, and rise of the friction from rest to an inertial number of 1
+  double cohesion = 0;       ///< cohesion of a cone, Pa
+  double young = 0;          ///< Young's modulus, Pa; 0: unknown
 };
-/// The warnings of the numbers of a law under a gravity (m/s^2), a line each; empty for none.
+/// Returns the warnings about the parameters of a law under gravity (m/s^2), one per line; empty if there are none.
 [[gnu::cold]] std::string doubts_of(NumbersOfLaw const& law, double gravity);
 
 template <class Law>
@@ -43,8 +43,8 @@ concept HasConeAndYoung = requires(Law const& law) {
 
 }  // namespace detail
 
-/// Warnings of densities, of an I0 and of a cohesion of a law that are in range and hardly meant, under a gravity
-/// (m/s^2), a line each; empty for others. Of a law by group, those of the first group that has any.
+/// Returns warnings, one per line, about densities, an I0 or a cohesion of a law that are in range but hardly meant,
+/// under gravity (m/s^2); empty if there are none. For a law by group, those of the first group that has any.
 template <class Law>
 [[gnu::cold]] std::string doubts_of_law(Law const& law, double gravity) {
   std::string text;

@@ -10,7 +10,7 @@
 
 namespace scree {
 
-/// Whether the density of a law follows the mixture, see MixtureDensity; also true if MixtureDensity is inside a
+/// Whether the density of a law follows the mixture (see MixtureDensity); also true if MixtureDensity is inside a
 /// modifier.
 template <class Law>
 concept DensityOfMixture = requires(Law const& law) {

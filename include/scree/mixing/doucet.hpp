@@ -59,7 +59,8 @@ struct TakeStart {
   }
 };
 
-/// V, V x and V x_0 of the particles that were present at the mark, and V of the other particles.
+/// The contributions of a particle to sums: V, V x and V x_0 if the particle was present at the mark; otherwise V, in a
+/// sum of its own.
 template <int Dim>
 struct StartMeans {
   static constexpr int count = 2 + 2 * Dim;

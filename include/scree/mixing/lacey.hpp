@@ -31,9 +31,9 @@ struct LaceyIndex {
 
 namespace detail {
 
-/// Returns the variance of the shares of a random mixture in a sample, times the volume of the sample (m^dim):
-/// $\sum_k P_k ((1 - 2 P_k) v_k + P_k \bar v)$ with $\bar v = \sum_l P_l v_l$, where v_k is the bed volume per grain of
-/// kind k.
+/// Returns the variance of the shares of the kinds in samples of a random mixture, summed over the kinds and multiplied
+/// by the volume of a sample (m^dim): $\sum_k P_k ((1 - 2 P_k) v_k + P_k \bar v)$ with $\bar v = \sum_l P_l v_l$, where
+/// v_k is the bed volume per grain of kind k.
 template <int Kinds>
 double variance_of_random(Vec<Kinds, double> const& shares, std::vector<double> const& grains) {
   if (grains.empty()) return 0;

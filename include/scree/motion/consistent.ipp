@@ -43,7 +43,7 @@ SCREE_BODY std::string detail::fault_of_path(PathOfPoint const& path, double fro
           "time zero to the same times by %s m",
           text(start).c_str(), text(there - start).c_str(), text(end - start).c_str());
   }
-  // The velocity itself may jump in a few pieces.
+  // The velocity itself may jump in up to a quarter of the pieces.
   double const rounded = 4e-15 * (start.norm() + end.norm()) / length;  // m/s; for velocities that depend on position
   double const most = 0.01 * largest * piece + 1e-11 * (fastest + speed) + rounded;
   long const wrong = std::count_if(jumps.begin(), jumps.end(), [&](double jump) { return jump > most; });

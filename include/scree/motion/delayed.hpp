@@ -16,7 +16,7 @@ struct Delayed {
   double start = 0;                                        ///< s
   double stop = Kokkos::Experimental::infinity_v<double>;  ///< s, not before `start`
 
-  /// Returns the parameters `start` and `stop`; the class of the motion declares its own parameters.
+  /// Returns the parameters `start` and `stop`; those of the delayed motion are declared by its class.
   static constexpr auto parameters() {
     return std::array{parameter("start", &Delayed::start, "s", "begin of the motion", allowed::finite()),
                       parameter("stop", &Delayed::stop, "s", "end of the motion",

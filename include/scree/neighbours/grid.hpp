@@ -17,7 +17,7 @@
 namespace scree {
 
 /// A uniform grid that maps positions to cells. Cell numbers increase fastest along the first axis, along which cells
-/// may be smaller.
+/// may be smaller than along the other axes.
 template <int Dim, class Real>
 struct Grid {
   Vec<Dim, Real> origin = zero<Vec<Dim, Real>>();  ///< the low corner of the cell with coordinates 0, m

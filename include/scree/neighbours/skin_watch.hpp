@@ -60,8 +60,9 @@ struct ListsOutrun {};
 /// updates; it is extrapolated from the last two checks, assuming constant acceleration. Between checks, loops that
 /// move particles record the first update in which a particle moves too far (PositionGuard). If a list was used after
 /// that update, outrun() returns true at the next check, and the caller repeats its work with a check after every
-/// update. Rare checks do not change when lists are built: after the first update that moves a particle too far, or at
-/// a regular check that predicts that the lists will soon be invalid. See docs/neighbour_lists.md.
+/// update. Lists are built at the same updates with and without rare checks: after the first update that moves a
+/// particle too far, or at a regular check that predicts that the lists will soon be invalid. See
+/// docs/neighbour_lists.md.
 template <class P>
 class SkinWatch {
  public:

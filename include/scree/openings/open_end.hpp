@@ -13,8 +13,8 @@ namespace scree {
 
 /// An open end through which material leaves against given values, for instance a stress. Particles beyond the plane
 /// take these values after each step. Particles more than one support beyond the plane also keep their velocity (see
-/// Held), because there are no particles behind them, and after another support they are removed. Material cannot
-/// return through an open end.
+/// Held), because there are no particles behind them; particles more than two supports beyond the plane are removed.
+/// Material cannot return through an open end.
 template <int Dim>
 struct OpenEnd {
   std::string name = "end";                            ///< name in the ledger and in messages

@@ -90,8 +90,9 @@ class Openings final : public Component<S> {
       if (builds >= checked_ + drain.builds || builds < checked_) return true;  // fewer builds: another search
     return false;
   }
-  /// Empties all drains and feeds all inlets whenever one of them is due, because each change of particles costs a
-  /// neighbour-list build. The rates of particles that enter are zero until the next step evaluates them.
+  /// Empties all drains and feeds all inlets. They act together whenever one of them is due, because each change of
+  /// particles costs a neighbour-list build. The rates of particles that enter are zero until the next step evaluates
+  /// them.
   void act(S& solver) override {
     ProfilingRegion const region("scree::openings");
     State& state = State::of(solver);

@@ -289,9 +289,9 @@ struct last_of<IfNone, Passes, 0> {
 };
 }  // namespace detail
 
-/// Runs a list of passes in order and then a function of each particle of the target body. The function is fused with
-/// the last pass if that is a pair pass over the target body with a function of its sums, and reads from neighbours
-/// none of the fields that the function writes.
+/// Runs a list of passes in order and then applies a function to each particle of the target body. The function is
+/// fused with the last pass if that is a pair pass over the target body with a function of its sums, and reads from
+/// neighbours none of the fields that the function writes.
 template <class Target, class Sys, class Function, detail::AnyTuple Passes>
 void run_passes_and(Sys& system, Passes const& passes, Function const& function) {
   constexpr std::size_t count = detail::tuple_size<Passes>;

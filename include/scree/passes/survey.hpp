@@ -33,7 +33,7 @@ struct Magnitude {
 struct Largest {
   double value = 0;
   int particle = 0;   ///< the particle with the largest value; of several, the first
-  double beyond = 0;  ///< number of particles beyond the function's `most`, if any; in float exact up to 16 million
+  double beyond = 0;  ///< number of particles above `most`; 0 if the function has none; exact to 16 million in float
 };
 
 namespace detail {

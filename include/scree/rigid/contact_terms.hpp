@@ -103,7 +103,7 @@ struct ContactSums {
   }
 };
 
-/// Friction of a surface particle: a spring parallel to a dashpot, both in series with a slider.
+/// The friction of a surface particle: a spring in parallel with a dashpot, both in series with a slider.
 struct StickOrSlip {
   double friction, stiffness;   ///< -, N/m
   Span<double const> dashpots;  ///< N s/m, of each body

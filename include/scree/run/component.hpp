@@ -42,7 +42,7 @@ class AnyComponent : public StepLimiter {
 /// An object that takes part in the run of a solver of class `S` at defined points, for example a controller that moves
 /// a wall according to its load, or an inlet. Derive a class from Component, override the functions that are needed,
 /// and pass an object to Solver::attach(). If the case has several ranks, each rank has its own component, and is_due()
-/// must return the same on all ranks.
+/// must return the same result on all ranks.
 template <class S>
 class Component : public AnyComponent {
  public:

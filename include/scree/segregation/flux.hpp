@@ -15,8 +15,9 @@ struct SegregationFlux {
 
   /// Returns the symmetric function F = C (1 - C).
   static constexpr SegregationFlux symmetric() { return {}; }
-  /// Returns the asymmetric function, with which small grains percolate faster than large ones rise. A is 1.6 as
-  /// printed; with 1.596 the maximum of F would be that of the symmetric function.
+  /// Returns the asymmetric flux function, with which a small grain among large ones percolates faster than a large
+  /// grain among small ones rises. A is 1.6 as printed; with 1.596 the maximum of F would be that of the symmetric
+  /// function.
   static constexpr SegregationFlux asymmetric() { return {.amplitude = 1.6, .asymmetry = 0.89}; }
 
   static constexpr auto parameters() {

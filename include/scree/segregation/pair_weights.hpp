@@ -142,7 +142,7 @@ struct SolveEvenCorrection {
   }
 };
 
-/// Returns the passes that compute both corrections. Walls, if any, fill the support for the odd correction only.
+/// Returns the passes that compute both corrections. Wall particles, if any, contribute to the odd correction only.
 inline auto passes(Resolution const& resolution) {
   return std::tuple(pair_pass_then<Material>("scree::odd_correction", SolveOddCorrection{resolution.support},
                                              over<Material>(DisorderSums{}), over<Wall>(DisorderSums{})),

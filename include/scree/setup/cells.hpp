@@ -120,8 +120,8 @@ std::vector<Vec<Dim, double>> points_in_layers(Index<Dim> const& first, Index<Di
   return all;
 }
 /// Returns the points that `place` accepts in a range of indices. The points are counted before they are created,
-/// unless there is enough memory for all indices and a growing vector. If there is, and with `Shared`, the threads of
-/// the host share the layers of indices.
+/// unless there is enough memory for all indices and a growing vector. If there is enough memory and `Shared` is true,
+/// the threads of the host share the layers of indices.
 template <int Dim, bool Shared = false, class Place>
 std::vector<Vec<Dim, double>> points_at(Index<Dim> const& first, Index<Dim> const& last, Place place) {
   using vector = Vec<Dim, double>;

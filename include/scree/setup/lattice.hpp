@@ -48,8 +48,8 @@ requires(!Shape<S>) std::vector<Vec<3, double>> fill_lattice(S const&, double, O
 }
 
 /// Returns the share of the points of fill_lattice() that one rank of a case owns at its start: consecutive points,
-/// equally many on each rank. Points are ordered by layers of the last coordinate. fill_between(), fill_hexagonal() and
-/// wall_around() also accept a share.
+/// equally many on each rank. Points are ordered layer by layer along the last axis. fill_between(), fill_hexagonal()
+/// and wall_around() also accept a share.
 template <Shape S>
 SharedPoints<S::dim> fill_lattice(S const& shape, double spacing, Vec<S::dim, double> const& anchor,
                                   IsShareOfRank auto const& share) {

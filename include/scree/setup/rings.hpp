@@ -29,7 +29,8 @@ struct PlanePoints {
 /// has at most seven particles, no two of which are closer than 0.8 spacings.
 void add_core(PlanePoints& plane, double radius, double spacing);
 
-/// Returns the particles of a disc around the origin: rings from half a spacing within its edge to its core.
+/// Returns the particles of a disc around the origin: rings around a core, the outermost half a spacing inside the
+/// edge.
 PlanePoints disc_of_rings(double radius, double spacing);
 
 /// Returns a point in space, given its place in a plane across the axis of a cylinder and its coordinate along the

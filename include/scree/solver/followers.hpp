@@ -81,7 +81,8 @@ class Followers {
   DistanceBeyond<vector> box(Motion const& motion, double time) const {
     return [&]<class... Bs>(Bodies<Bs...>) { return confines_.at(time, motion_of_body<Bs>(motion)...); }(All{});
   }
-  /// Returns the largest absolute coordinate (m) of all bodies at a time (s).
+  /// Returns the largest absolute coordinate (m) among walls at time zero, walls at a time (s), and the positions given
+  /// to the material.
   double farthest(Motion const& motion, double time) const {
     return [&]<class... Bs>(Bodies<Bs...>) { return confines_.farthest(time, motion_of_body<Bs>(motion)...); }(All{});
   }

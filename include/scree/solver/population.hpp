@@ -115,7 +115,7 @@ void add_inlet(Openings<S, SolverState<P>>& openings, SolverState<P> const& stat
                            .remedy =
                                "material has backed up to the inlet: move the inlet farther from it, feed less "
                                "(`rate`, `duration`) or remove material (`drain`)"};
-    // A single layer inside a wall has a density of about 1.5; a layer beside walls has 1.05 at most.
+    // The density of a single layer is about 1.5 inside a wall, and at most 1.05 beside walls.
     StartWords const at_walls{.when = words.when,
                               .may_be_sparse = true,
                               .remedy =

@@ -164,7 +164,7 @@ class Solver {
   void set(F field, Function const& function) {
     set<Body>(field, body<Body>().to_host(fields::position), function);
   }
-  // Any other argument is an error at compile time, with a message that says what a field is.
+  // Any other argument is an error at compile time, with a message that shows how to pass a field.
   template <class Body = Material, class Name, class... Others>
   requires(!Field<Name>) void set(Name const&, Others const&...) {
     static_assert(sizeof(Name) == 0, "set() takes a field as an object: set(fields::velocity, function)");
@@ -217,7 +217,7 @@ class Solver {
     if constexpr (detail::explain_population<P>()) state_.system.template body<Material>().reserve(particles);
   }
   /// Adds an inlet (openings/inlet.hpp), which opens at the beginning of the next step or run. `values` are the fields
-  /// of entering particles, as for add(), except for the velocity, which the inlet gives. Throws std::invalid_argument
+  /// of entering particles, as for add(), except the velocity, which is that of the inlet. Throws std::invalid_argument
   /// for settings that are out of range. A run throws std::invalid_argument if entering particles would overlap with
   /// others.
   template <class... Fs, class... Values>

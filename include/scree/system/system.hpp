@@ -183,7 +183,7 @@ class System {
   /// Returns the number of failed trials, whose steps were repeated.
   long failed_trials() const { return around_.failed_trials(); }
 
-  /// The state for snapshots that, in addition to the fields, determines the order of neighbours.
+  /// The state, saved in snapshots, that together with the fields determines the order of neighbours.
   using Memory = typename Around::Memory;
   /// Returns the state that, in addition to the fields, determines the order of neighbours.
   Memory memory() const { return around_.memory(all()); }

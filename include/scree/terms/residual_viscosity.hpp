@@ -9,7 +9,7 @@
 // explain. See docs/theory/granular.md.
 namespace scree {
 
-/// Returns the strain rate from the corrected velocity gradient, for predictions of relative velocities. The strain
+/// Returns the strain rate from the corrected velocity gradient, for use in predicting relative velocities. The strain
 /// rate falls to zero if neighbours fill less of the support than at a plane surface, because a linear field explains
 /// every relative velocity of a few neighbours. On a lattice with h = 1.5 spacings, the mean diagonal entry of the
 /// negative first moment is 1 in the interior; in the row at a plane surface, it is 0.62 in 2D and 0.67 in 3D; with a

@@ -20,7 +20,7 @@ struct Shell {
   std::vector<int> triangles;
   bool closed = true;  // each edge belongs to two triangles
   double volume = 0;   // m^3, with the sign of the orientation of its triangles
-  long turned = 0;     // triangles that were turned over so that all agree
+  long turned = 0;     // triangles turned over to make all orientations agree
   Box<3> bounds;
 };
 

@@ -31,7 +31,7 @@ struct MeshReport {
   double buried_share = 0;                              ///< part of the area read: within another shell or between two
   double unbounded_share = 0;                           ///< part of the area with no inside behind it: holes are near
   std::string first_buried = {}, first_unbounded = {};  ///< file and triangle
-  FacingDistance wall = {}, gap = {};                   ///< through the inside and through the outside
+  FacingDistance wall = {}, gap = {};                   ///< wall: through the inside; gap: through the outside
 
   /// Whether the triangles enclose their volume without a hole; `volume` is exact only if they do.
   bool encloses_exactly() const { return closed && unbounded_share == 0; }

@@ -84,7 +84,7 @@ class TriangleTree {
       }
       double const one = squared_distance(nodes_[std::size_t(number) + 1], x);
       double const other = squared_distance(nodes_[std::size_t(node.second)], x);
-      bool const in_order = one <= other;  // the nearer one is visited first
+      bool const in_order = one <= other;  // the nearer child is visited first
       stack.push(in_order ? node.second : number + 1, std::max(one, other));
       stack.push(in_order ? number + 1 : node.second, std::min(one, other));
     }

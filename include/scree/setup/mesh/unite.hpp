@@ -154,7 +154,7 @@ class ShellUnion {
       result_.inverted += area_of(piece);
     }
     if (!(winding_(tree_, X(middle - depth), true) > 0.5 && before < 0.5)) return false;
-    return std::none_of(in_plane_.begin(), in_plane_.end(), [&](int k) {  // one of equal faces is enough
+    return std::none_of(in_plane_.begin(), in_plane_.end(), [&](int k) {  // of coincident faces, the first is kept
       return tree_.place(k) < int(t) && turn_of(tree_.corners(k)) > 0 && is_over(tree_.corners(k), middle);
     });
   }
@@ -199,7 +199,7 @@ class ShellUnion {
   double tolerance_;   // m
   X corner_, normal_;  // of the present triangle
   std::vector<Piece> pieces_;
-  std::vector<int> in_plane_;  // other triangles, in the order of the tree
+  std::vector<int> in_plane_;  // other triangles in this plane, in the order of the tree
   BoundaryOfUnion result_;
 };
 

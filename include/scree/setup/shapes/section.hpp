@@ -10,7 +10,7 @@ namespace scree {
 
 /// The section of a shape in space with the plane y = const, as a shape in the plane of x and z, for a two-dimensional
 /// run with a body from a file. Its signed distance is that of the shape in space: exact where the shape does not
-/// change along y over this distance, otherwise a lower bound.
+/// change along y over this distance; elsewhere, its magnitude is a lower bound.
 template <Shape S>
 requires(S::dim == 3) struct Section {
   static constexpr int dim = 2;

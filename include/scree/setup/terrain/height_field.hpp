@@ -178,10 +178,11 @@ class NearestHeight {
 
 }  // namespace detail
 
-/// The ground below a surface z = h(x, y), as a shape. In each cell of the raster the surface consists of four
-/// triangles around the middle, whose height is the mean of those of the corners: this agrees with bilinear
-/// interpolation to within a sixteenth of the twist of the cell (h00 - h10 - h01 + h11). Beyond the raster, the heights
-/// of its edge continue outwards over ten times the extent of the raster. Copies share their data; host only.
+/// The ground below a surface z = h(x, y), as a shape. In each cell of the raster, the surface consists of four
+/// triangles that meet at the centre of the cell, whose height is the mean of the four corner heights. This surface
+/// agrees with bilinear interpolation to within a sixteenth of the twist of the cell, |h00 - h10 - h01 + h11|. Beyond
+/// the raster, the heights of its edge continue outwards over ten times the extent of the raster. Copies share their
+/// data; host only.
 class HeightField {
  public:
   static constexpr int dim = 3;
