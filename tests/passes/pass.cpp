@@ -207,4 +207,35 @@ TEMPLATE_LIST_TEST_CASE("a pass sees ghosts with the present values of their ori
   CHECK(double(before[0]) > 0.98);
 }
 
+/// A pass of a user, which does more than the one that it derives from.
+struct Counted : PointPass<Material, DoubleVolume> {
+  int* runs;
+  Counted(PointPass<Material, DoubleVolume> const& pass, int& count)
+      : PointPass<Material, DoubleVolume>(pass), runs(&count) {}
+  template <class Sys>
+  void run(Sys& system) const {
+    ++*runs;
+    PointPass<Material, DoubleVolume>::run(system);
+  }
+};
+
+TEMPLATE_LIST_TEST_CASE("a pass that derives from one of the library runs its own function, only if it is active", "",
+                        Policies) {
+  using P = SystemPolicy<TestType>;
+  using Sys = TwoBodies<P, typename P::template search<P>, Fields<Position, Volume>, Fields<Position, Volume>>;
+  Sys system(0.15, {});
+  auto& material = system.template body<Material>();
+  material.resize(3);
+  material.fill(volume, typename P::real(1));
+  int runs = 0;
+  Counted const counted(point_pass<Material>("double", DoubleVolume{}), runs);
+  run_passes(system, std::tuple(counted));
+  CHECK(runs == 1);
+  CHECK(material.to_host(volume)[2] == 2);
+  run_passes(system, only_if(false, std::tuple(counted)));
+  run_passes(system, only_if(true, std::tuple(counted, counted)));
+  CHECK(runs == 3);
+  CHECK(material.to_host(volume)[0] == 8);
+}
+
 }  // namespace scree::test::pass_tests
