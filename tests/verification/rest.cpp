@@ -81,6 +81,7 @@ MuOfI<> sand(double density) {
   MuOfI<> law;
   law.elastic = {3e5 * density / bed_density, poisson, density};
   law.grains = {0.5e-3};
+  law.grain_density = std::max(law.grain_density, density);
   return law;
 }
 double wave_speed(MuOfI<> const& law) { return law.sound_speed(); }
