@@ -35,7 +35,7 @@ struct In {
 };
 double const height = 0.1;  // m
 
-/// What a run of a column of `rows` rows says until its fall is over, with a viscosity (m/s).
+/// Returns the warnings of a run of a column of `rows` rows, until its fall is over, with a viscosity (m/s).
 template <int Dim, class OfViscosity = PlainViscosity>
 std::string said(double speed, int rows = 16) {
   double const dr = height / rows, c = 15;

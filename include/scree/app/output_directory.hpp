@@ -14,7 +14,7 @@ struct OutputRequest {
   std::filesystem::path directory;
   std::vector<std::string> results = {};  ///< names of the files that the run will write there
   bool force = false;                     ///< whether results of an earlier run may be removed
-  std::filesystem::path continues = {};   ///< the checkpoint to start from; the results of its run are beside it
+  std::filesystem::path continues = {};   ///< the checkpoint to start from, in the directory of its results
 };
 
 /// The directory to which a run writes its results. As long as this object exists, no other run writes there.

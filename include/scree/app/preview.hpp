@@ -34,7 +34,7 @@ concept CanBeShown = requires(S& solver) {
   { solver.step(1.0) } -> std::convertible_to<double>;
 };
 
-/// What a preview needs of a solver, whatever its formulation.
+/// The functions of a solver that a preview uses, independent of the formulation.
 class ShownStart {
  public:
   virtual ~ShownStart() = default;

@@ -32,9 +32,9 @@ struct Run {
 
   /// Prepares the directory for the results of a solver, see OutputDirectory::begin(), after checking that the solver
   /// can take its next step (Solver::check_start()). Earlier results remain unchanged until all ranks of a case have
-  /// reached this point and have thus read what they need from these results. Throws what the step would throw, and
-  /// CaseError for a case without particles and without inlets. With --preview, writes the page of the initial state
-  /// and throws an exception that ends the program.
+  /// reached this point, after they have read the data that they need from these results. Throws what the step would
+  /// throw, and CaseError for a case without particles and without inlets. With --preview, writes the page of the
+  /// initial state and throws an exception that ends the program.
   template <class S>
   void begin(S& solver) const {
     auto const check = [&] {

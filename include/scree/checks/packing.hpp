@@ -29,8 +29,7 @@ struct Packing {
   long at_walls = 0;       ///< number of particles that touch walls and have neighbours on all other sides
   long facing = 0;         ///< number of particles that have walls on the side that the material leaves empty
   long facing_little = 0;  ///< number of `facing` particles with less than 0.6 of the wall that fills that side
-  long facing_sparse =
-      0;             ///< number of those within 2 spacings of a wall particle that fills less than 0.4 of its space
+  long facing_sparse = 0;  ///< number of those within 2 spacings of a wall particle that fills < 0.4 of its space
   double walls = 1;  ///< median at walls of sum V W over walls, relative to what the material leaves of 1, at most 4
   double fill_of_walls = 1;  ///< median over wall particles of volume over the dim-th power of the distance to
                              ///< the nearest other wall particle (at most 3 spacings), at most 4
@@ -51,8 +50,8 @@ struct Packing {
     return fits(density, 0.05) || ((fits(by_number, 0.05) || is_stepped()) && fits(density, 0.25));
   }
   /// Whether the spacing and the volumes of walls may be right. They matter because the material feels the stress in a
-  /// wall in proportion to what the wall fills. `walls` is 1.02 on a lattice and 0.94 to 1.08 with a jitter of 0.3
-  /// spacings. In the plane, a wall spacing that is 5 % too small or too large gives 1.14 or 0.92. A gap of 0.1
+  /// wall in proportion to the space that the wall fills. `walls` is 1.02 on a lattice and 0.94 to 1.08 with a jitter
+  /// of 0.3 spacings. In the plane, a wall spacing that is 5 % too small or too large gives 1.14 or 0.92. A gap of 0.1
   /// spacings gives 0.86 and an overlap of 0.2 spacings gives 1.4, although the wall is correct; this is why
   /// `fill_of_walls` is also considered, which is 1 on a square lattice and 0.87 on a hexagonal one. Walls are wrong if
   /// both values are above 1.15, or both are below 0.85, or if walls_are_sparse().

@@ -107,8 +107,8 @@ SCREE_BODY std::string warning_of_sparse_wall(Packing const& packing, double spa
   return detail::formatted(
       "scree: warning: the particles of a wall are far apart: %ld particles of the material beside it have less than "
       "%.4g of the wall that belongs there, and its volumes are less than %.4g times the space that they have. "
-      "Material "
-      "leaks into such a wall unless it is meant as a grate: are spacing and volumes of this wall those that belong to "
+      "Material leaks into such a wall unless it is meant as a grate: are spacing and volumes of this wall those that "
+      "belong to "
       "settings.spacing, %.6g m?",
       packing.facing_sparse, detail::Crowding::least_of_walls, detail::Crowding::sparse_fill, spacing);
 }
